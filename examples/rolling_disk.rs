@@ -1,0 +1,2 @@
+//! The rolling disk.
+fn main() {}
