@@ -4,5 +4,6 @@
 //! syntax → model → [`projection`] → simplify → program → emit, with [`symbolic`] under all.
 //! The interface of this crate may change with every release; depend on `holonomy` instead.
 
+pub mod model;
 pub mod projection;
 pub mod symbolic;
