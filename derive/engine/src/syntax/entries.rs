@@ -57,9 +57,7 @@ impl Entry {
                 let ident = ident(token, diagnostics)?;
                 Some(Name { ident, docs })
             }
-            [TokenTree::Ident(_), TokenTree::Group(group), ..]
-                if group.delimiter() == Delimiter::Bracket =>
-            {
+            [TokenTree::Ident(_), TokenTree::Group(group), ..] if group.delimiter() == Delimiter::Bracket => {
                 diagnostics.report(group.span_open(), messages::family());
                 None
             }
@@ -92,11 +90,7 @@ impl Entry {
     }
 
     /// The entry cut at its first single `=`: what stands left, the `=`, what stands right.
-    pub fn assignment(
-        &self,
-        what: &str,
-        diagnostics: &mut Diagnostics,
-    ) -> Option<(&[TokenTree], Span, &[TokenTree])> {
+    pub fn assignment(&self, what: &str, diagnostics: &mut Diagnostics) -> Option<(&[TokenTree], Span, &[TokenTree])> {
         let found = single_equals(&self.tokens);
         let Some(at) = found else {
             diagnostics.report(self.place(), messages::assignment_expected(what));
@@ -107,11 +101,7 @@ impl Entry {
     }
 
     /// The entry as `name = expression`.
-    pub fn named_expression(
-        &self,
-        what: &str,
-        diagnostics: &mut Diagnostics,
-    ) -> Option<(Ident, Expression)> {
+    pub fn named_expression(&self, what: &str, diagnostics: &mut Diagnostics) -> Option<(Ident, Expression)> {
         let (left, equals, right) = self.assignment(what, diagnostics)?;
         let name = single_ident(left, self.place(), diagnostics);
         let value = Expression::read(right, equals, diagnostics);
@@ -120,11 +110,7 @@ impl Entry {
 }
 
 /// `v1` or `dot(x)`
-pub(crate) fn quantity(
-    tokens: &[TokenTree],
-    place: Place,
-    diagnostics: &mut Diagnostics,
-) -> Option<Quantity> {
+pub(crate) fn quantity(tokens: &[TokenTree], place: Place, diagnostics: &mut Diagnostics) -> Option<Quantity> {
     match tokens {
         [TokenTree::Ident(dot), TokenTree::Group(group)]
             if dot == "dot" && group.delimiter() == Delimiter::Parenthesis =>
@@ -147,11 +133,7 @@ pub(crate) fn quantity(
 }
 
 /// A single name.
-pub(crate) fn single_ident(
-    tokens: &[TokenTree],
-    place: Place,
-    diagnostics: &mut Diagnostics,
-) -> Option<Ident> {
+pub(crate) fn single_ident(tokens: &[TokenTree], place: Place, diagnostics: &mut Diagnostics) -> Option<Ident> {
     match tokens {
         [token] => ident(token, diagnostics),
         [first, .., last] => {
@@ -191,8 +173,7 @@ pub(crate) fn single_equals(tokens: &[TokenTree]) -> Option<usize> {
             matches!(token, TokenTree::Punct(punct)
                 if "=<>!".contains(punct.as_char()) && punct.spacing() == Spacing::Joint)
         };
-        let begins_another =
-            joint(&tokens[at]) && tokens.get(at + 1).is_some_and(|next| is_punct(next, '='));
+        let begins_another = joint(&tokens[at]) && tokens.get(at + 1).is_some_and(|next| is_punct(next, '='));
         let ends_another = at > 0 && joint(&tokens[at - 1]);
         is_punct(&tokens[at], '=') && !begins_another && !ends_another
     })

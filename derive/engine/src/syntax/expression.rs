@@ -3,7 +3,6 @@
 //! The result is a list in which operands stand before what uses them, so that everything that
 //! reads an expression is a loop.
 
-use num_rational::BigRational;
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::parse::{ParseStream, Parser};
@@ -12,6 +11,7 @@ use syn::{BinOp, Expr, ExprUnary, UnOp, parenthesized};
 use super::diagnostics::{Diagnostics, Place, messages};
 use super::refusal::refusal;
 use super::{nesting, number};
+use crate::symbolic::Rational;
 
 /// An expression in postfix order; the last term is the whole.
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ pub struct Expression {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Term {
     /// A literal.
-    Number(BigRational),
+    Number(Rational),
     /// A name.
     Name(String),
     /// `-a`
@@ -78,10 +78,7 @@ impl Expression {
     }
 
     fn hole(place: Place) -> Self {
-        Expression {
-            terms: vec![(Term::Hole, place.start)],
-            place,
-        }
+        Expression { terms: vec![(Term::Hole, place.start)], place }
     }
 
     /// The terms in postfix order with their spans; that of an operation is its operator's, that of
@@ -116,11 +113,7 @@ fn parse(tokens: &[TokenTree], end: Span) -> syn::Result<Expr> {
         let content;
         parenthesized!(content in input);
         let expression: Expr = content.parse()?;
-        if content.is_empty() {
-            Ok(expression)
-        } else {
-            Err(content.error(messages::operator_expected()))
-        }
+        if content.is_empty() { Ok(expression) } else { Err(content.error(messages::operator_expected())) }
     };
     parser.parse2(TokenStream::from(TokenTree::Group(group)))
 }
@@ -152,11 +145,7 @@ fn flatten(root: Expr, place: Place, diagnostics: &mut Diagnostics) -> Expressio
                     steps.push(Step::Visit(*inner.expr));
                     continue;
                 }
-                Expr::Unary(ExprUnary {
-                    op: UnOp::Neg(minus),
-                    expr,
-                    ..
-                }) => {
+                Expr::Unary(ExprUnary { op: UnOp::Neg(minus), expr, .. }) => {
                     steps.push(Step::Negative(minus.span));
                     steps.push(Step::Visit(*expr));
                     continue;

@@ -49,14 +49,9 @@ pub(crate) fn read(input: &DeriveInput, diagnostics: &mut Diagnostics) -> Vec<Fi
             let Some(statement) = statement(attribute, FIELD_STATEMENTS, diagnostics) else {
                 continue;
             };
-            let slot = if statement.name == "unit" {
-                unit.is_some()
-            } else {
-                nominal.is_some()
-            };
+            let slot = if statement.name == "unit" { unit.is_some() } else { nominal.is_some() };
             if slot {
-                diagnostics
-                    .report_local(&statement.name, messages::statement_twice(&statement.name));
+                diagnostics.report_local(&statement.name, messages::statement_twice(&statement.name));
                 continue;
             }
             let Some(value) = single(&statement, diagnostics) else {
@@ -140,14 +135,14 @@ fn unit(expression: &Expression, diagnostics: &mut Diagnostics) -> Option<Unit> 
         None
     };
     // The value of each term: factors of a unit, or the whole number that is an exponent.
-    let mut values: Vec<(Vec<(String, i32)>, Option<i32>)> = Vec::new();
+    type Factors = Vec<(String, i32)>;
+    let mut values: Vec<(Factors, Option<i32>)> = Vec::new();
     for (term, span) in expression.terms() {
         let value = match term {
             Term::Name(name) => (vec![(name.clone(), 1)], None),
             Term::Number(number) => {
-                let Ok(whole) = number.to_string().parse::<i32>() else {
-                    return refused(diagnostics, *span);
-                };
+                let whole = number.as_integer().and_then(|whole| i32::try_from(whole).ok());
+                let Some(whole) = whole else { return refused(diagnostics, *span) };
                 (Vec::new(), Some(whole))
             }
             Term::Hole => return None,
@@ -176,9 +171,7 @@ fn unit(expression: &Expression, diagnostics: &mut Diagnostics) -> Option<Unit> 
                 [base, exponent] if function == "powi" => match values[*exponent].1 {
                     Some(exponent) => {
                         let factors = values[*base].0.iter();
-                        let raised = factors
-                            .map(|(name, e)| (name.clone(), e.saturating_mul(exponent)))
-                            .collect();
+                        let raised = factors.map(|(name, e)| (name.clone(), e.saturating_mul(exponent))).collect();
                         (raised, None)
                     }
                     None => return refused(diagnostics, *span),
@@ -199,7 +192,5 @@ fn unit(expression: &Expression, diagnostics: &mut Diagnostics) -> Option<Unit> 
         *sum = sum.saturating_add(exponent);
     }
     sums.retain(|_, exponent| *exponent != 0);
-    Some(Unit {
-        factors: sums.into_iter().collect(),
-    })
+    Some(Unit { factors: sums.into_iter().collect() })
 }

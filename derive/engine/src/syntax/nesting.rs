@@ -61,10 +61,7 @@ pub(crate) fn check_expression(expression: &[TokenTree]) -> Result<(), Diagnosti
             }
             TokenTree::Punct(punct) => {
                 foreign += usize::from(!"+-*/,".contains(punct.as_char()));
-                level.run = level
-                    .after_operator
-                    .then(|| level.run + 1)
-                    .unwrap_or_default();
+                level.run = if level.after_operator { level.run + 1 } else { 0 };
                 level.after_operator = true;
                 level.after_group = false;
             }
@@ -92,13 +89,7 @@ struct Level {
 
 impl Level {
     fn new(tokens: Vec<TokenTree>, depth: usize) -> Self {
-        Level {
-            tokens: tokens.into_iter(),
-            depth,
-            run: 0,
-            after_operator: true,
-            after_group: false,
-        }
+        Level { tokens: tokens.into_iter(), depth, run: 0, after_operator: true, after_group: false }
     }
 
     fn operand(&mut self) {
@@ -109,8 +100,5 @@ impl Level {
 }
 
 fn too_deep(span: Span) -> Diagnostic {
-    Diagnostic {
-        place: span.into(),
-        message: messages::too_deep(DEPTH),
-    }
+    Diagnostic { place: span.into(), message: messages::too_deep(DEPTH) }
 }

@@ -13,9 +13,7 @@ const OPTIONS: [&str; 2] = ["crate", "simplify"];
 /// `::holonomy`
 pub(crate) fn default_crate(span: Span) -> Path {
     Path {
-        leading_colon: Some(syn::token::PathSep {
-            spans: [span, span],
-        }),
+        leading_colon: Some(syn::token::PathSep { spans: [span, span] }),
         segments: std::iter::once(syn::PathSegment::from(Ident::new("holonomy", span))).collect(),
     }
 }

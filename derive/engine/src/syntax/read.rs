@@ -35,10 +35,7 @@ pub(crate) fn declarations(input: DeriveInput, diagnostics: &mut Diagnostics) ->
         ident: input.ident,
         vis: input.vis,
         generics: input.generics,
-        options: Options {
-            krate,
-            simplify: true,
-        },
+        options: Options { krate, simplify: true },
         coordinates: Vec::new(),
         speeds: None,
         inputs: Vec::new(),
@@ -71,11 +68,7 @@ pub(crate) fn declarations(input: DeriveInput, diagnostics: &mut Diagnostics) ->
 
 /// The statement that an attribute is, if it is one of those `allowed` here. What belongs to other
 /// macros is passed over, what looks like a misspelt statement is reported.
-pub(crate) fn statement(
-    attribute: &Attribute,
-    allowed: &[&str],
-    diagnostics: &mut Diagnostics,
-) -> Option<Statement> {
+pub(crate) fn statement(attribute: &Attribute, allowed: &[&str], diagnostics: &mut Diagnostics) -> Option<Statement> {
     let name = attribute.path().get_ident()?;
     let text = name.to_string();
     if PLANNED_STATEMENTS.contains(&text.as_str()) {
@@ -93,11 +86,9 @@ pub(crate) fn statement(
         return None;
     }
     match &attribute.meta {
-        Meta::List(list) if matches!(list.delimiter, MacroDelimiter::Paren(_)) => Some(Statement {
-            name: name.clone(),
-            tokens: list.tokens.clone(),
-            end: list.delimiter.span().close(),
-        }),
+        Meta::List(list) if matches!(list.delimiter, MacroDelimiter::Paren(_)) => {
+            Some(Statement { name: name.clone(), tokens: list.tokens.clone(), end: list.delimiter.span().close() })
+        }
         _ => {
             diagnostics.report(name, messages::statement_without_list(name));
             None
@@ -120,10 +111,7 @@ fn read(statement: &Statement, model: &mut Declarations, diagnostics: &mut Diagn
             model.speeds = Some(Speeds { names, span });
         }
         "kinematics" => {
-            let entries = entries
-                .iter()
-                .filter_map(|entry| kinematic(entry, diagnostics))
-                .collect();
+            let entries = entries.iter().filter_map(|entry| kinematic(entry, diagnostics)).collect();
             model.kinematics = Some(Kinematics { entries, span });
         }
         "inertia" => {
@@ -139,30 +127,19 @@ fn read(statement: &Statement, model: &mut Declarations, diagnostics: &mut Diagn
             [] => {}
         },
         "constraint" => {
-            let read = entries
-                .iter()
-                .filter_map(|entry| constraint(entry, diagnostics));
+            let read = entries.iter().filter_map(|entry| constraint(entry, diagnostics));
             model.constraints.extend(read);
         }
-        "define" => model
-            .defines
-            .extend(assignments(&entries, "mu = expression", diagnostics)),
-        "start" => model
-            .start
-            .extend(assignments(&entries, "theta = 0.3", diagnostics)),
+        "define" => model.defines.extend(assignments(&entries, "mu = expression", diagnostics)),
+        "start" => model.start.extend(assignments(&entries, "theta = 0.3", diagnostics)),
         "configuration" => model.configuration = Some(configuration(&entries, span, diagnostics)),
         "independent" => {
-            let entries = entries
-                .iter()
-                .filter_map(|entry| quantity(&entry.tokens, entry.place(), diagnostics))
-                .collect();
+            let entries =
+                entries.iter().filter_map(|entry| quantity(&entry.tokens, entry.place(), diagnostics)).collect();
             model.independent = Some(Independent { entries, span });
         }
         "complement" => {
-            let rows = entries
-                .iter()
-                .filter_map(|entry| complement_row(entry, diagnostics))
-                .collect();
+            let rows = entries.iter().filter_map(|entry| complement_row(entry, diagnostics)).collect();
             model.complement = Some(Complement { rows, span });
         }
         "holonomy" => options::read(&entries, &mut model.options, diagnostics),
@@ -171,17 +148,11 @@ fn read(statement: &Statement, model: &mut Declarations, diagnostics: &mut Diagn
 }
 
 fn names(entries: &[Entry], diagnostics: &mut Diagnostics) -> Vec<Name> {
-    entries
-        .iter()
-        .filter_map(|entry| entry.name(diagnostics))
-        .collect()
+    entries.iter().filter_map(|entry| entry.name(diagnostics)).collect()
 }
 
 fn expressions(entries: &[Entry], diagnostics: &mut Diagnostics) -> Vec<Expression> {
-    entries
-        .iter()
-        .map(|entry| entry.expression(diagnostics))
-        .collect()
+    entries.iter().map(|entry| entry.expression(diagnostics)).collect()
 }
 
 fn assignments(entries: &[Entry], form: &str, diagnostics: &mut Diagnostics) -> Vec<Assignment> {
@@ -207,17 +178,12 @@ fn kinematic(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<(Quantity, 
 fn inertia(entries: &[Entry], span: Span, diagnostics: &mut Diagnostics) -> Option<Inertia> {
     let form = match entries {
         [Entry { tokens, .. }] => match tokens.as_slice() {
-            [TokenTree::Ident(form), TokenTree::Group(list)]
-                if list.delimiter() == Delimiter::Parenthesis =>
-            {
+            [TokenTree::Ident(form), TokenTree::Group(list)] if list.delimiter() == Delimiter::Parenthesis => {
                 let inner = entries::split(list.stream(), list.span_close());
                 match form.to_string().as_str() {
                     "diag" => Some(InertiaForm::Diagonal(expressions(&inner, diagnostics))),
                     "matrix" => Some(InertiaForm::Matrix(
-                        inner
-                            .iter()
-                            .filter_map(|row| inertia_row(row, diagnostics))
-                            .collect(),
+                        inner.iter().filter_map(|row| inertia_row(row, diagnostics)).collect(),
                     )),
                     _ => None,
                 }
@@ -243,9 +209,7 @@ fn inertia_row(row: &Entry, diagnostics: &mut Diagnostics) -> Option<InertiaRow>
     let entries = entries
         .iter()
         .map(|entry| match entry.tokens.as_slice() {
-            [TokenTree::Ident(underscore)] if underscore == "_" => {
-                InertiaEntry::Symmetric(underscore.span())
-            }
+            [TokenTree::Ident(underscore)] if underscore == "_" => InertiaEntry::Symmetric(underscore.span()),
             _ => InertiaEntry::Given(entry.expression(diagnostics)),
         })
         .collect();
@@ -255,9 +219,7 @@ fn inertia_row(row: &Entry, diagnostics: &mut Diagnostics) -> Option<InertiaRow>
 /// `name: left == right`
 fn constraint(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<Constraint> {
     let (name, colon, equation) = match entry.tokens.as_slice() {
-        [name, colon, equation @ ..] if is_colon(colon) => {
-            (entries::ident(name, diagnostics), colon.span(), equation)
-        }
+        [name, colon, equation @ ..] if is_colon(colon) => (entries::ident(name, diagnostics), colon.span(), equation),
         _ => {
             diagnostics.report(entry.place(), messages::constraint_form());
             return None;
@@ -267,11 +229,7 @@ fn constraint(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<Constraint
         [at] => {
             let left = Expression::read(&equation[..*at], colon, diagnostics);
             let right = Expression::read(&equation[at + 2..], equation[at + 1].span(), diagnostics);
-            Some(Constraint {
-                name: name?,
-                left,
-                right,
-            })
+            Some(Constraint { name: name?, left, right })
         }
         [] => {
             match single_equals(equation) {
@@ -284,10 +242,7 @@ fn constraint(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<Constraint
         }
         [_, second, ..] => {
             let signs = [equation[*second].span(), equation[second + 1].span()];
-            diagnostics.report(
-                Place::between(signs[0], signs[1]),
-                messages::second_equation(),
-            );
+            diagnostics.report(Place::between(signs[0], signs[1]), messages::second_equation());
             None
         }
     }
@@ -323,20 +278,15 @@ fn complement_row(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<Comple
         diagnostics.report(entry.place(), messages::assignment_expected(form));
         return None;
     };
-    Some(ComplementRow {
-        name: name?,
-        entries: expressions(&inner, diagnostics),
-        span,
-    })
+    Some(ComplementRow { name: name?, entries: expressions(&inner, diagnostics), span })
 }
 
 /// The entries of `[..]`.
 fn bracketed(tokens: &[TokenTree]) -> Option<(Vec<Entry>, Span)> {
     match tokens {
-        [TokenTree::Group(group)] if group.delimiter() == Delimiter::Bracket => Some((
-            entries::split(group.stream(), group.span_close()),
-            group.span(),
-        )),
+        [TokenTree::Group(group)] if group.delimiter() == Delimiter::Bracket => {
+            Some((entries::split(group.stream(), group.span_close()), group.span()))
+        }
         _ => None,
     }
 }

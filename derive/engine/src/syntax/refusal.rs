@@ -43,10 +43,7 @@ pub(crate) fn refusal(expression: &Expr, start: Span) -> (Span, String) {
             _ => (start, messages::foreign_syntax()),
         },
         Expr::Try(unwrap) => (unwrap.question_token.span, messages::operator("?")),
-        Expr::Block(block) => (
-            block.block.brace_token.span.open(),
-            messages::foreign_syntax(),
-        ),
+        Expr::Block(block) => (block.block.brace_token.span.open(), messages::foreign_syntax()),
         Expr::Macro(call) => (call.mac.bang_token.span, messages::foreign_syntax()),
         Expr::Closure(closure) => (closure.inputs_begin.span, messages::foreign_syntax()),
         _ => (start, messages::foreign_syntax()),

@@ -47,10 +47,7 @@ pub const PLANNED_STATEMENTS: &[&str] = &[
 /// Every attribute name that `#[proc_macro_derive(.., attributes(..))]` registers: the three lists
 /// above, in this order.
 pub fn helper_attributes() -> impl Iterator<Item = &'static str> {
-    [STATEMENTS, FIELD_STATEMENTS, PLANNED_STATEMENTS]
-        .into_iter()
-        .flatten()
-        .copied()
+    [STATEMENTS, FIELD_STATEMENTS, PLANNED_STATEMENTS].into_iter().flatten().copied()
 }
 
 /// rustc's own attributes that may stand on a struct or a field, and the common ones of other

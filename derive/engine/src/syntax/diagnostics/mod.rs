@@ -29,10 +29,7 @@ impl Place {
 
 impl From<Span> for Place {
     fn from(span: Span) -> Self {
-        Place {
-            start: span,
-            end: span,
-        }
+        Place { start: span, end: span }
     }
 }
 
@@ -67,10 +64,7 @@ impl Diagnostics {
 
     /// Adds an error at a token or a stretch of tokens.
     pub fn report(&mut self, place: impl Into<Place>, message: impl Into<String>) {
-        self.list.push(Diagnostic {
-            place: place.into(),
-            message: message.into(),
-        });
+        self.list.push(Diagnostic { place: place.into(), message: message.into() });
     }
 
     /// Adds an error that leaves the rest of the model as it was meant: one inside an expression, say.
@@ -102,11 +96,7 @@ impl Diagnostics {
 
     /// The value, if nothing was reported.
     pub fn result<T>(self, value: T) -> Result<T, Diagnostics> {
-        if self.is_empty() {
-            Ok(value)
-        } else {
-            Err(self)
-        }
+        if self.is_empty() { Ok(value) } else { Err(self) }
     }
 
     /// One `::core::compile_error! { ".." }` per error, spanned so that rustc underlines the place.
@@ -143,10 +133,7 @@ impl Diagnostic {
 
 impl From<Diagnostic> for Diagnostics {
     fn from(diagnostic: Diagnostic) -> Self {
-        Diagnostics {
-            list: vec![diagnostic],
-            local: 0,
-        }
+        Diagnostics { list: vec![diagnostic], local: 0 }
     }
 }
 

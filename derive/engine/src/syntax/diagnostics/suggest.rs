@@ -9,13 +9,11 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     candidates
         .into_iter()
         .filter(|candidate| *candidate != name)
-        .map(|candidate| {
-            if candidate.to_lowercase() == lower {
-                (0, candidate)
-            } else {
-                (distance(name, candidate), candidate)
-            }
-        })
+        .map(
+            |candidate| {
+                if candidate.to_lowercase() == lower { (0, candidate) } else { (distance(name, candidate), candidate) }
+            },
+        )
         .filter(|(distance, candidate)| {
             let length = name.chars().count().max(candidate.chars().count());
             *distance <= allowed && *distance < length

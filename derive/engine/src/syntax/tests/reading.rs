@@ -2,6 +2,7 @@ use quote::ToTokens;
 
 use super::super::*;
 use super::declarations;
+use crate::symbolic::Rational;
 
 fn names(names: &[Name]) -> Vec<String> {
     names.iter().map(|name| name.ident.to_string()).collect()
@@ -62,11 +63,7 @@ fn every_statement_is_read() {
     assert!(matches!(rows[1].entries[0], InertiaEntry::Symmetric(_)));
     assert_eq!(model.forces.unwrap().entries.len(), 3);
     assert!(model.potential_energy.is_some());
-    let constraints: Vec<String> = model
-        .constraints
-        .iter()
-        .map(|row| row.name.to_string())
-        .collect();
+    let constraints: Vec<String> = model.constraints.iter().map(|row| row.name.to_string()).collect();
     assert_eq!(constraints, ["roll", "touch", "more"]);
     let configuration = model.configuration.unwrap();
     assert_eq!(names(&configuration.further), ["s"]);
@@ -79,22 +76,13 @@ fn every_statement_is_read() {
     assert_eq!(model.defines[0].name, "mu");
     assert_eq!(model.start[0].name, "phi");
     assert!(!model.options.simplify);
-    assert_eq!(
-        model.options.krate.to_token_stream().to_string(),
-        "my :: holonomy"
-    );
+    assert_eq!(model.options.krate.to_token_stream().to_string(), "my :: holonomy");
     let scalars: Vec<bool> = model.fields.iter().map(|field| field.scalar).collect();
     assert_eq!(scalars, [true, true, true, true, false]);
     assert_eq!(model.fields[0].docs, [" mass"]);
     let unit = |name: &str, exponent| (name.to_owned(), exponent);
-    assert_eq!(
-        model.fields[1].unit.as_ref().unwrap().factors,
-        [unit("m", 1), unit("s", -2)]
-    );
-    assert_eq!(
-        model.fields[3].unit.as_ref().unwrap().factors,
-        [unit("m", 1), unit("s", -2)]
-    );
+    assert_eq!(model.fields[1].unit.as_ref().unwrap().factors, [unit("m", 1), unit("s", -2)]);
+    assert_eq!(model.fields[3].unit.as_ref().unwrap().factors, [unit("m", 1), unit("s", -2)]);
     assert_eq!(model.fields[1].nominal.as_ref().unwrap().terms().len(), 1);
 }
 
@@ -103,12 +91,8 @@ fn expressions_lie_in_postfix_order() {
     let model = declarations("#[forces(a - -b*atan2(c, 1/2))] struct Model;");
     let forces = model.forces.unwrap();
     let name = |name: &str| Term::Name(name.to_owned());
-    let number = |number: i64| Term::Number(num_rational::BigRational::from_integer(number.into()));
-    let terms: Vec<Term> = forces.entries[0]
-        .terms()
-        .iter()
-        .map(|(term, _)| term.clone())
-        .collect();
+    let number = |number: i64| Term::Number(Rational::integer(number));
+    let terms: Vec<Term> = forces.entries[0].terms().iter().map(|(term, _)| term.clone()).collect();
     let expected = [
         name("a"),
         name("b"),
