@@ -42,18 +42,24 @@ extern crate std;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("holonomy needs elementary functions: enable the feature `std` (default) or `libm`");
 
+mod assemble;
 mod error;
+pub mod forms;
+mod manifold;
 mod math;
 mod matrix;
 mod prepared;
 mod scalar;
+pub mod simulate;
 mod system;
 mod vector;
 
+pub use assemble::Assembly;
 pub use error::Error;
 pub use matrix::Matrix;
 pub use prepared::{Prepared, Reactions};
 pub use scalar::{Dual, Scalar};
+pub use simulate::{Interrupted, Method, Simulation, Trajectory};
 pub use system::{
     ConstrainedSystem, Description, Equation, FunctionCost, GuardInfo, GuardKind, Level,
     MultiplierInfo, RowInfo, State,
@@ -68,5 +74,5 @@ pub mod __private;
 
 /// What a program that runs models needs: `use holonomy::prelude::*;`.
 pub mod prelude {
-    pub use crate::{ConstrainedSystem, Error, Matrix, Prepared, Scalar, Vector};
+    pub use crate::{ConstrainedSystem, Error, Matrix, Method, Prepared, Scalar, Vector};
 }

@@ -20,8 +20,8 @@ pub use dual::Dual;
 ///     let (sin, cos) = angle.sin_cos();
 ///     sin * sin + cos * cos
 /// }
-/// assert!((pythagoras(0.3) - 1.0).abs() < 1e-15);
-/// assert!(pythagoras(Dual::variable(0.3)).derivative.abs() < 1e-15);
+/// assert!((pythagoras(0.3_f64) - 1.0).abs() < 1e-15);
+/// assert!(pythagoras(Dual::variable(0.3_f64)).derivative.abs() < 1e-15);
 /// ```
 pub trait Scalar:
     Copy
