@@ -59,7 +59,7 @@ impl Texts {
             symbols.iter().map(|s| e.graph.name(*s).to_owned()).collect()
         };
         c.each("derivative", "(5.7)", c.dots(&e.state_coordinates), &e.coordinate_rates);
-        c.each("derivative", "(5.6)", c.dots(&e.state_speeds), &e.accelerations);
+        c.each("accelerations", "(5.6)", c.dots(&e.state_speeds), &e.accelerations);
         c.matrix("mass_matrix", "M_d", "(4.10)", &e.mass_matrix);
         c.list("forcing", "h_u*", "(5.6)", &e.forcing);
         if configured {
@@ -88,7 +88,12 @@ impl Texts {
 
     /// Symbol, number in the paper and right side of what a function computes.
     pub fn of(&self, function: &str) -> Vec<(&str, &str, &str)> {
-        self.lines.iter().filter(|l| l.0 == function).map(|l| (l.1.as_str(), l.2, l.3.as_str())).collect()
+        let shown: &[&str] = match function {
+            "derivative" => &["derivative", "accelerations"],
+            "mass_matrix_and_forcing" => &["mass_matrix", "forcing"],
+            _ => &[function],
+        };
+        self.lines.iter().filter(|l| shown.contains(&l.0)).map(|l| (l.1.as_str(), l.2, l.3.as_str())).collect()
     }
 }
 
@@ -106,7 +111,10 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
     });
     let multipliers = e.multiplier_names.iter().zip(&e.multiplier_rows).map(|(name, row)| {
         let row = match row {
-            Some(row) => quote!(::core::option::Option::Some(#row)),
+            Some(row) => {
+                let row = Literal::usize_unsuffixed(*row);
+                quote!(::core::option::Option::Some(#row))
+            }
             None => quote!(::core::option::Option::None),
         };
         quote!(#krate::MultiplierInfo { name: #name, row: #row })

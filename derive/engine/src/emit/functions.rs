@@ -117,9 +117,7 @@ fn part_function(
     let (enter, leave) = (Literal::usize_unsuffixed(enter), Literal::usize_unsuffixed(leave));
     let part = if enter.to_string() == "0" { quote!() } else { quote!(, part: [#scalar; #enter]) };
     let body = tokens(text);
-    let allowed = super::types::allowed();
     quote! {
-        #allowed
         fn #name<#scalar: #krate::Scalar>(p: &#values, t: #scalar, #(#arguments),* #part) -> [#scalar; #leave] {
             #body
         }

@@ -5,7 +5,7 @@ use super::functions::{docs, function, signature, tokens};
 use super::shape::{Known, Types};
 use super::target::{Target, ident};
 use super::text::Writer;
-use super::types::{allowed, doc, structs};
+use super::types::{Structs, allowed, doc, structs};
 use crate::program::{Arguments, Programs, Shape};
 use crate::projection::Equations;
 use proc_macro2::{Literal, TokenStream};
@@ -26,11 +26,7 @@ pub fn implementation(target: &Target, equations: &Equations, programs: &Program
     let model = model(target, &types, equations, programs, &texts);
     let prepare = prepare(target, &types, programs);
     let implementation = block(target, &types, &model, &quote!(#prepare #functions));
-    if parts.is_empty() {
-        quote!(#structs #implementation)
-    } else {
-        quote!(#structs const _: () = { #parts #implementation };)
-    }
+    whole(&structs, &parts, &implementation)
 }
 
 /// The structs and the trait of a model with errors, so that only those errors show: its functions diverge.
@@ -80,7 +76,22 @@ pub fn diverging(target: &Target, known: &Known) -> TokenStream {
         ) -> ::core::result::Result<#values, #krate::Error> { loop {} }
     };
     let implementation = block(target, &types, &bare(target, &types), &quote!(#prepare #(#functions)*));
-    quote!(#structs #implementation)
+    whole(&structs, &TokenStream::new(), &implementation)
+}
+
+/// Structs stand beside the user's; everything else in a scope of its own, under one list of lints.
+fn whole(structs: &Structs, parts: &TokenStream, implementation: &TokenStream) -> TokenStream {
+    let allowed = allowed();
+    let Structs { definitions, implementations } = structs;
+    quote! {
+        #definitions
+        #allowed
+        const _: () = {
+            #implementations
+            #parts
+            #implementation
+        };
+    }
 }
 
 /// The `impl` with its types.
@@ -104,10 +115,8 @@ fn block(target: &Target, types: &Types, model: &TokenStream, functions: &TokenS
     let (coordinates, speeds, guards) = (array(known.coordinates.len()), array(k), array(known.guards));
     let (rows, positions) = (array(m), array(known.position_rows));
     let (mass, system, constraint, complement) = (matrix(k, k), matrix(n, n), matrix(m, n), matrix(k, n));
-    let allowed = allowed();
     quote! {
         #[automatically_derived]
-        #allowed
         impl #generics #krate::ConstrainedSystem for #ident #arguments #clause {
             const MODEL: &'static #krate::Description = #model;
 

@@ -11,8 +11,8 @@ pub fn allowed() -> TokenStream {
     quote! {
         #[allow(
             clippy::all,
-            clippy::pedantic,
             clippy::nursery,
+            clippy::pedantic,
             dead_code,
             non_camel_case_types,
             non_snake_case,
@@ -24,37 +24,45 @@ pub fn allowed() -> TokenStream {
     }
 }
 
+/// The structs, and the implementations that belong to them.
+pub struct Structs {
+    /// The structs.
+    pub definitions: TokenStream,
+    /// Their conversions and `Vector`.
+    pub implementations: TokenStream,
+}
+
 /// All structs of the model with their conversions.
-pub fn structs(target: &Target, types: &Types, programs: Option<&Programs>) -> TokenStream {
+pub fn structs(target: &Target, types: &Types, programs: Option<&Programs>) -> Structs {
     let name = target.ident.to_string();
     let known = &types.known;
-    let mut out = TokenStream::new();
+    let (mut definitions, mut implementations) = (TokenStream::new(), TokenStream::new());
     let coordinates = known.state_coordinates;
     let docs = |record: &Record, fallback: &dyn Fn(usize, &str) -> String| -> Vec<TokenStream> {
         record.names.iter().enumerate().map(|(i, n)| doc_of(target, n, &fallback(i, n))).collect()
     };
-    let mut vector = |record: &Record, about: String, fallback: &dyn Fn(usize, &str) -> String| {
+    let mut add = |record: &Record, about: String, fallback: &dyn Fn(usize, &str) -> String| {
         if !record.fields.is_empty() {
-            out.extend(structure(target, record, &about, &docs(record, fallback)));
-            out.extend(vector(target, record));
+            definitions.extend(structure(target, record, &about, &docs(record, fallback)));
+            implementations.extend(vector(target, record));
         }
     };
-    vector(&types.state, format!("The state of [`{name}`]: coordinates, then independent speeds."), &|i, n| {
+    add(&types.state, format!("The state of [`{name}`]: coordinates, then independent speeds."), &|i, n| {
         if i < coordinates { format!("Coordinate `{n}`.") } else { format!("Independent speed `{n}`.") }
     });
-    vector(&types.velocities, format!("The velocities v of [`{name}`], dependent ones included (5.3)."), &|_, n| {
+    add(&types.velocities, format!("The velocities v of [`{name}`], dependent ones included (5.3)."), &|_, n| {
         format!("Velocity `{n}`.")
     });
-    vector(&types.parameters, format!("The parameters of [`{name}`]."), &|_, n| format!("Parameter `{n}`."));
-    vector(&types.inputs, format!("The inputs of [`{name}`]."), &|_, n| format!("Input `{n}`."));
+    add(&types.parameters, format!("The parameters of [`{name}`]."), &|_, n| format!("Parameter `{n}`."));
+    add(&types.inputs, format!("The inputs of [`{name}`]."), &|_, n| format!("Input `{n}`."));
     if !types.multipliers.fields.is_empty() {
         let about = format!(
             "The multipliers λ of [`{name}`]: M v̇ = h* + Cᵀ λ (2.8), each the force that its constraint exerts on the system."
         );
         let fields: Vec<TokenStream> =
             types.multipliers.names.iter().map(|n| doc(&format!("λ of the constraint `{n}`."))).collect();
-        out.extend(structure(target, &types.multipliers, &about, &fields));
-        out.extend(self::vector(target, &types.multipliers));
+        definitions.extend(structure(target, &types.multipliers, &about, &fields));
+        implementations.extend(vector(target, &types.multipliers));
     }
     if !types.values.fields.is_empty() {
         let about = format!("The parameters of [`{name}`] and the work that depends on them alone.");
@@ -65,9 +73,9 @@ pub fn structs(target: &Target, types: &Types, programs: Option<&Programs>) -> T
                 None => doc("Prepared value."),
             })
             .collect();
-        out.extend(structure(target, &types.values, &about, &fields));
+        definitions.extend(structure(target, &types.values, &about, &fields));
     }
-    out
+    Structs { definitions, implementations }
 }
 
 /// A doc comment.
@@ -115,10 +123,8 @@ fn vector(target: &Target, record: &Record) -> TokenStream {
     let names = &record.names;
     let n = Literal::usize_unsuffixed(fields.len());
     let indices: Vec<Literal> = (0..fields.len()).map(Literal::usize_unsuffixed).collect();
-    let allowed = allowed();
     quote! {
         #[automatically_derived]
-        #allowed
         impl<T> ::core::convert::From<[T; #n]> for #name<T> {
             #[inline]
             fn from([#(#fields),*]: [T; #n]) -> Self {
@@ -126,7 +132,6 @@ fn vector(target: &Target, record: &Record) -> TokenStream {
             }
         }
         #[automatically_derived]
-        #allowed
         impl<T> ::core::convert::From<#name<T>> for [T; #n] {
             #[inline]
             fn from(vector: #name<T>) -> Self {
@@ -134,7 +139,6 @@ fn vector(target: &Target, record: &Record) -> TokenStream {
             }
         }
         #[automatically_derived]
-        #allowed
         impl<T: #krate::Scalar> #krate::Vector<T> for #name<T> {
             type Array = [T; #n];
             const NAMES: &'static [&'static str] = &[#(#names),*];

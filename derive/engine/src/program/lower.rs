@@ -33,6 +33,8 @@ pub struct Lowering<'a> {
     pub manner: Manner,
     /// Terms of the expressions done, by index.
     terms: Vec<Option<Term>>,
+    /// Sine and cosine of each angle.
+    pub(super) turns: HashMap<Expr, (Term, Term)>,
     /// The collected terms of sums, so that an outer coefficient can still be multiplied in.
     open: HashMap<Expr, Vec<Term>>,
 }
@@ -40,7 +42,14 @@ pub struct Lowering<'a> {
 impl<'a> Lowering<'a> {
     /// A lowering over the graph.
     pub fn new(graph: &'a mut Graph, manner: Manner) -> Self {
-        Lowering { graph, units: Units::default(), manner, terms: Vec::new(), open: HashMap::new() }
+        Lowering {
+            graph,
+            units: Units::default(),
+            manner,
+            terms: Vec::new(),
+            turns: HashMap::new(),
+            open: HashMap::new(),
+        }
     }
 
     /// The results as units, or the symbol that the function may not read.
@@ -57,6 +66,7 @@ impl<'a> Lowering<'a> {
                 }
             }
         }
+        let splits = self.splits(&order);
         self.terms = vec![None; self.graph.len()];
         for e in order {
             if self.is_coefficient(e) {
@@ -71,6 +81,8 @@ impl<'a> Lowering<'a> {
                 }
                 Node::Sum { constant, terms } => self.sum(e, &constant, &terms),
                 Node::Product(factors) => self.product(&factors, &uses),
+                Node::Function(Function::Sin, arguments) => self.turn(arguments[0], &splits).0,
+                Node::Function(Function::Cos, arguments) => self.turn(arguments[0], &splits).1,
                 Node::Function(function, arguments) => self.function(function, &arguments),
             };
             self.terms[e.index()] = Some(term);
@@ -78,7 +90,7 @@ impl<'a> Lowering<'a> {
         Ok(roots.iter().map(|e| self.term(*e)).collect::<Vec<_>>().into_iter().map(|t| self.unit_of(&t)).collect())
     }
 
-    fn is_coefficient(&self, e: Expr) -> bool {
+    pub(super) fn is_coefficient(&self, e: Expr) -> bool {
         if self.manner.numeric { self.graph.as_number(e).is_some() } else { self.graph.stage(e) <= Stage::Parameter }
     }
 
@@ -86,13 +98,13 @@ impl<'a> Lowering<'a> {
         Term { coefficient: e, factors: Bag::new() }
     }
 
-    fn of_unit(&mut self, unit: Unit, stage: Stage) -> Term {
+    pub(super) fn of_unit(&mut self, unit: Unit, stage: Stage) -> Term {
         let id = self.units.intern(unit, stage);
         Term { coefficient: self.graph.one(), factors: vec![(id, 1)] }
     }
 
     /// The term of an expression that was lowered before, or of a coefficient.
-    fn term(&self, e: Expr) -> Term {
+    pub(super) fn term(&self, e: Expr) -> Term {
         match self.terms.get(e.index()) {
             Some(Some(term)) => term.clone(),
             _ => self.constant(e),
@@ -191,8 +203,6 @@ impl<'a> Lowering<'a> {
         let of: Vec<Id> =
             arguments.iter().map(|a| self.term(*a)).collect::<Vec<_>>().iter().map(|t| self.unit_of(t)).collect();
         let unit = match (function, of.as_slice()) {
-            (Function::Sin, [a]) => Unit::Sine(*a),
-            (Function::Cos, [a]) => Unit::Cosine(*a),
             (Function::Sqrt, [a]) => Unit::Root(*a),
             (Function::Exp, [a]) => Unit::Exp(*a),
             (Function::Ln, [a]) => Unit::Ln(*a),

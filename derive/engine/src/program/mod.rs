@@ -5,6 +5,7 @@
 //! | [`entry`] | the functions of a model, what they read and what they return |
 //! | [`unit`] | n-ary sums and products over shared units |
 //! | [`lower`] | the graph as units: parameter-only work split off, like terms collected |
+//! | [`angles`] | sines and cosines, those of sums of angles by products |
 //! | [`collect`] | sums with their coefficients grouped and common factors taken out |
 //! | [`share`] | the most frequent pairs of factors and of terms, each computed once |
 //! | [`operation`] | the straight-line program and its operation counts |
@@ -14,6 +15,7 @@
 //! | [`plan`] | all programs of a model |
 //! | [`evaluate`] | programs run in double precision, for checks |
 
+pub mod angles;
 pub mod collect;
 pub mod entry;
 pub mod evaluate;

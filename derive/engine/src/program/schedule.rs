@@ -96,12 +96,13 @@ impl Builder<'_> {
     }
 
     fn push(&mut self, operation: Operation) -> Reference {
-        let operation = match operation {
+        // The order of operands is kept for the reader, and makes no difference otherwise.
+        let key = match operation {
             Operation::Add(a, b) if b < a => Operation::Add(b, a),
             Operation::Multiply(a, b) if b < a => Operation::Multiply(b, a),
-            other => other,
+            _ => operation.clone(),
         };
-        if let Some(reference) = self.interned.get(&operation) {
+        if let Some(reference) = self.interned.get(&key) {
             return *reference;
         }
         let stage = match &operation {
@@ -109,9 +110,9 @@ impl Builder<'_> {
             other => other.operands().into_iter().flatten().map(|r| self.stages[r as usize]).max(),
         };
         let reference = self.operations.len() as Reference;
-        self.operations.push(operation.clone());
+        self.operations.push(operation);
         self.stages.push(stage.unwrap_or(Stage::Constant));
-        self.interned.insert(operation, reference);
+        self.interned.insert(key, reference);
         reference
     }
 
@@ -174,8 +175,18 @@ impl Builder<'_> {
         }
     }
 
+    /// The order of operands: by stage, what is read before what is computed, in the order of declaration.
+    fn rank(&self, reference: Reference) -> (Stage, Option<Leaf>, bool, Reference) {
+        let (leaf, number) = match &self.operations[reference as usize] {
+            Operation::Read(leaf) => (Some(*leaf), false),
+            Operation::Number(_) => (None, false),
+            _ => (Some(Leaf::Input(usize::MAX)), true),
+        };
+        (self.stages[reference as usize], leaf, number, reference)
+    }
+
     fn chain(&mut self, mut factors: Vec<Reference>) -> Option<Reference> {
-        factors.sort_by_key(|r| (self.stages[*r as usize], *r));
+        factors.sort_by_key(|r| self.rank(*r));
         let mut factors = factors.into_iter();
         let first = factors.next()?;
         Some(factors.fold(first, |product, factor| self.push(Operation::Multiply(product, factor))))
@@ -185,7 +196,7 @@ impl Builder<'_> {
     fn sum(&mut self, bag: &Bag) -> Reference {
         let mut terms: Vec<(Reference, bool)> = bag.iter().map(|(id, sign)| (self.get(*id), *sign < 0)).collect();
         // Partial sums of one stage, each with a positive head if it has one.
-        terms.sort_by_key(|(r, negative)| (self.stages[*r as usize], *negative, *r));
+        terms.sort_by_key(|(r, negative)| (self.stages[*r as usize], *negative, self.rank(*r)));
         let Some(head) = terms.iter().position(|(_, negative)| !negative) else {
             let positive: Bag = bag.iter().map(|(id, sign)| (*id, -sign)).collect();
             let sum = self.sum(&positive);

@@ -205,33 +205,23 @@ pub fn disk() -> Equations {
     g.assume_nonzero(c);
     let (sin_phi, cos_phi) = (g.sin(q[3]), g.cos(q[3]));
     let (zero, one) = (g.zero(), g.one());
-    // The axes ξ (horizontal), η (from P to G) and ζ in the inertial frame; G = P + r η.
-    let neg = |g: &mut Graph, e| g.neg(e);
-    let product = |g: &mut Graph, a: Expr, b: Expr| g.mul(a, b);
-    let s_sin = product(g, s, sin_phi);
-    let s_cos = product(g, s, cos_phi);
-    let c_sin = product(g, c, sin_phi);
-    let c_cos = product(g, c, cos_phi);
-    let (minus_s_cos, minus_c_cos) = (neg(g, s_cos), neg(g, c_cos));
-    let _ = minus_c_cos;
+    // The axes ξ (horizontal), η (from P to G) and ζ = ξ × η in the inertial frame.
+    let ss = g.mul(s, sin_phi);
+    let sc = g.mul(s, cos_phi);
+    let cs = g.mul(c, sin_phi);
+    let cc = g.mul(c, cos_phi);
+    let (minus_ss, minus_cc) = (g.neg(ss), g.neg(cc));
     let xi = [cos_phi, sin_phi, zero];
-    let eta = [s_sin, minus_s_cos, c];
-    let minus_s = neg(g, s);
-    let _ = c_sin;
-    let minus_c_sin = neg(g, c_sin);
-    let zeta = [minus_c_sin, c_cos, s];
-    let _ = minus_s;
+    let eta = [minus_ss, sc, c];
+    let zeta = [cs, minus_cc, s];
     // φ̇ = v5 / c, θ̇ = -v4, ψ̇ = v6 - v5 tan; Ṗ = Ġ - r η̇.
     let over_c = g.powi(c, -1);
-    let minus_one = neg(g, one);
-    let minus_tan = neg(g, tan);
+    let (minus_one, minus_tan) = (g.neg(one), g.neg(tan));
     let angular = [[zero, over_c, zero], [minus_one, zero, zero], [zero, minus_tan, one]];
     let mut rows = Vec::new();
     for axis in 0..3 {
-        let by_phi_symbol = x[3];
-        let by_theta_symbol = x[4];
-        let by_phi = g.derivative(eta[axis], by_phi_symbol);
-        let by_theta = g.derivative(eta[axis], by_theta_symbol);
+        let by_phi = g.derivative(eta[axis], x[3]);
+        let by_theta = g.derivative(eta[axis], x[4]);
         let mut row = vec![xi[axis], eta[axis], zeta[axis]];
         for k in 0..3 {
             let a = g.mul(by_phi, angular[0][k]);
