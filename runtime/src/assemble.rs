@@ -15,6 +15,7 @@ const MET: f64 = 8.0 * f64::EPSILON;
 const STALLED: f64 = 1e-12;
 /// Singular values below this fraction of the largest count as zero.
 const RANK: f64 = 1e-10;
+const PASSES: usize = 3;
 const ITERATIONS: usize = 200;
 const HALVINGS: usize = 40;
 
@@ -89,7 +90,13 @@ impl<M: ConstrainedSystem> Assembly<'_, M> {
             }
         }
         check_finite::<M>(self.time, &self.guess)?;
-        newton(self.model, self.time, self.guess, &free)
+        let mut s = self.guess;
+        for _ in 0..PASSES {
+            // Far from the solution the terms are large, and so is their rounding: what counts is their size at the solution.
+            let mut manifold = Manifold::new(self.model, self.time, &s)?;
+            s = newton(self.model, &mut manifold, self.time, s, &free)?;
+        }
+        Ok(s)
     }
 }
 
@@ -129,11 +136,11 @@ pub(crate) fn first_non_finite<M: ConstrainedSystem>(s: &M::State<f64>) -> Optio
 /// Newton's method with steps of least norm, halved until the residual falls.
 fn newton<M: ConstrainedSystem>(
     model: &Prepared<M>,
+    manifold: &mut Manifold<M>,
     t: f64,
     guess: M::State<f64>,
     free: &[bool],
 ) -> Result<M::State<f64>, Error> {
-    let mut manifold = Manifold::new(model, t, &guess)?;
     let mut s = guess;
     let mut f = model.position_residual_at(t, &s).into();
     for _ in 0..ITERATIONS {
@@ -144,7 +151,7 @@ fn newton<M: ConstrainedSystem>(
         if manifold.worst(f.as_ref()).1 <= MET {
             return Ok(s);
         }
-        let Some(step) = least_norm_step(&manifold, f.as_ref(), free) else {
+        let Some(step) = least_norm_step(manifold, f.as_ref(), free) else {
             break;
         };
         let Some((next, residual)) = descend(model, t, &s, &step, &manifold.sizes, f.as_ref())

@@ -202,7 +202,7 @@ impl<M: ConstrainedSystem> Manifold<M> {
     /// One step of least norm: δ = −Jᵀ (J Jᵀ)⁻¹ f. Dependent rows are left out; where they agree they are met all the same.
     fn step(&mut self, f: &[f64], s: &mut M::State<f64>) {
         let (m, n) = (f.len(), self.columns);
-        for i in 0..m {
+        for (i, residual) in f.iter().enumerate() {
             let row = &mut self.jacobian[i * n..(i + 1) * n];
             let norm = sqrt(row.iter().map(|slope| slope * slope).sum());
             let scale = if norm > 0.0 && norm.is_finite() {
@@ -211,7 +211,7 @@ impl<M: ConstrainedSystem> Manifold<M> {
                 0.0
             };
             row.iter_mut().for_each(|slope| *slope *= scale);
-            self.weights[i] = -f[i] * scale;
+            self.weights[i] = -residual * scale;
         }
         for i in 0..m {
             for j in 0..=i {
@@ -266,3 +266,6 @@ fn solve_gram(g: &mut [f64], b: &mut [f64], m: usize) {
         b[i] = (b[i] - sum) * g[i * m + i];
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,11 +1,14 @@
 //! Simulation: integrating the minimal equations, watching the guards, staying on the constraints.
 
 mod control;
+mod course;
 mod dop853;
 mod guards;
 mod inputs;
 mod kernel;
 mod tableau;
+#[cfg(test)]
+mod tests;
 mod trajectory;
 
 use alloc::boxed::Box;
@@ -15,8 +18,9 @@ use crate::assemble::check_finite;
 use crate::manifold::{Manifold, term_sizes};
 use crate::{ConstrainedSystem, Error, Prepared};
 use control::Tolerance;
+use course::Course;
 use guards::Watch;
-use kernel::{Course, Pace, Plan};
+use kernel::{Pace, Plan};
 
 pub use guards::SINGULAR;
 pub use inputs::{InputSource, NoInputs};
@@ -248,6 +252,7 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
             watch,
             manifold,
             progress: self.progress,
+            evaluations: 0,
         };
         Ok((plan, course))
     }
@@ -299,8 +304,9 @@ fn check_velocity<M: ConstrainedSystem>(
 
 /// The first row whose residual is too large for a start.
 fn unmet(residuals: &[f64], sizes: &[f64]) -> Option<(usize, f64)> {
-    // Also true where the residual is not a number.
-    let missed = |(residual, size): (&f64, &f64)| !(residual.abs() <= START_TOLERANCE * size);
+    let missed = |(residual, size): (&f64, &f64)| {
+        residual.is_nan() || residual.abs() > START_TOLERANCE * size
+    };
     let row = residuals.iter().zip(sizes).position(missed)?;
     Some((row, residuals[row]))
 }
