@@ -33,6 +33,19 @@ pub const START_TOLERANCE: f64 = 1e-9;
 const SPACING: f64 = 1e-12;
 
 /// How the equations are integrated. All methods are explicit Runge-Kutta methods.
+///
+/// ```
+/// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+/// # use models::{Pendulum, PendulumState};
+/// use holonomy::prelude::*;
+///
+/// let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
+/// let start = PendulumState { x: 0.3, y: -0.4, dot_x: 0.0 };
+/// let run = |method| pendulum.simulate(start).method(method).tolerance(1e-10, 1e-10).until(1.0);
+/// let (fifth, eighth) = (run(Method::DormandPrince)?, run(Method::Dop853)?);
+/// assert!(fifth.statistics().evaluations > eighth.statistics().evaluations);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Method {
