@@ -1,0 +1,9 @@
+//! What several test files need beside the oracle.
+#![allow(
+    dead_code,
+    unused_imports,
+    reason = "every test file uses its own part"
+)]
+
+pub mod golden;
+pub mod splitmix;
