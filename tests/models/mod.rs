@@ -1,5 +1,5 @@
 //! The models that have an answer of their own: golden data, a closed form, or a published set.
-#![allow(dead_code, unused_imports, missing_docs, reason = "every test file uses its own models; their fields are named as in their sources")]
+#![allow(unused_imports, reason = "every test file uses its own models")]
 
 mod blades;
 mod particles;

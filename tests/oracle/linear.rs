@@ -15,12 +15,14 @@ pub fn solve<N: Number>(mut a: Vec<Vec<N>>, mut b: Vec<N>) -> Vec<N> {
         assert!(a[pivot][k].value() != 0.0, "kinematics are singular here");
         a.swap(k, pivot);
         b.swap(k, pivot);
-        for i in k + 1..n {
-            let factor = a[i][k] / a[k][k];
-            for j in k + 1..n {
-                a[i][j] = a[i][j] - factor * a[k][j];
-            }
-            b[i] = b[i] - factor * b[k];
+        let (above, below) = a.split_at_mut(k + 1);
+        for (i, row) in below.iter_mut().enumerate() {
+            let factor = row[k] / above[k][k];
+            row.iter_mut()
+                .zip(&above[k])
+                .skip(k + 1)
+                .for_each(|(entry, pivot)| *entry = *entry - factor * *pivot);
+            b[k + 1 + i] = b[k + 1 + i] - factor * b[k];
         }
     }
     for k in (0..n).rev() {

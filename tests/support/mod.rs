@@ -5,5 +5,7 @@
     reason = "every test file uses its own part"
 )]
 
+pub mod extrapolation;
 pub mod golden;
+pub mod special;
 pub mod splitmix;
