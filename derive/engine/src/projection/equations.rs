@@ -1,0 +1,131 @@
+//! The result of the projection: every quantity of the paper as expressions.
+
+use crate::symbolic::{Expr, Graph, Matrix, Symbol};
+
+/// What a run must watch about a guard.
+#[derive(Copy, Clone, PartialEq, Eq, Debug)]
+pub enum GuardKind {
+    /// A pivot: must neither vanish nor change its sign.
+    Pivot,
+    /// A pivot of M_d: must stay above zero.
+    Positive,
+}
+
+/// A quantity by which the emitted code divides.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Guard {
+    /// The quantity.
+    pub expr: Expr,
+    /// Its text, as a person would name it: `cos(theta)`.
+    pub name: String,
+    /// What must hold.
+    pub kind: GuardKind,
+    /// Where it comes from, in words.
+    pub origin: String,
+}
+
+/// The equations of motion and everything that goes with them.
+///
+/// n speeds v, m rows of C, k = n - m independent speeds u. Functions of the state know t, the state's coordinates,
+/// u, inputs and parameters; functions of the initial system know t, x, v, inputs and parameters, and x and v need not
+/// satisfy the constraints.
+#[derive(Clone, Debug)]
+pub struct Equations {
+    /// The arena of all expressions.
+    pub graph: Graph,
+    /// t.
+    pub time: Symbol,
+    /// Parameters, in the order of the fields.
+    pub parameters: Vec<Symbol>,
+    /// Inputs.
+    pub inputs: Vec<Symbol>,
+    /// Coordinates of the state: q with a configuration (4.2), else x.
+    pub state_coordinates: Vec<Symbol>,
+    /// The independent speeds u, k of them.
+    pub state_speeds: Vec<Symbol>,
+    /// x, the coordinates of the initial system.
+    pub coordinates: Vec<Symbol>,
+    /// v, the speeds of the initial system, n of them.
+    pub speeds: Vec<Symbol>,
+
+    /// Rates of the state's coordinates (5.7), (4.3).
+    pub coordinate_rates: Vec<Expr>,
+    /// u̇, M_d eliminated.
+    pub accelerations: Vec<Expr>,
+    /// M_d = D M Dᵀ, k x k (4.10).
+    pub mass_matrix: Matrix,
+    /// h_u* = D (h* - M a_u), k (4.10), (5.6).
+    pub forcing: Vec<Expr>,
+    /// x of the state (4.2).
+    pub initial_coordinates: Vec<Expr>,
+    /// v of the state: v = Dᵀ u + v_p (5.3), (4.4).
+    pub velocities: Vec<Expr>,
+    /// D, k x n: D Cᵀ = 0 (3.1), (4.9).
+    pub complement: Matrix,
+    /// a_u, n: v̇ = Dᵀ u̇ + a_u (4.5), (5.5).
+    pub complement_bias: Vec<Expr>,
+    /// λ, one for each name in `multiplier_names` (3.6); M v̇ = h* + Cᵀ λ.
+    pub multipliers: Vec<Expr>,
+    /// Divisors that depend on the state.
+    pub guards: Vec<Guard>,
+    /// Divisors that hold parameters only.
+    pub parameter_guards: Vec<Guard>,
+
+    /// A, n x n: ẋ = A v + a0 (2.1).
+    pub kinematic_matrix: Matrix,
+    /// a0, n (2.1).
+    pub kinematic_bias: Vec<Expr>,
+    /// M, n x n (2.3).
+    pub inertia: Matrix,
+    /// h*, n (2.3).
+    pub forces: Vec<Expr>,
+    /// C, m x n (2.5).
+    pub constraint_matrix: Matrix,
+    /// c0*, m: C v̇ + c0* = 0 (2.6), as corrected.
+    pub constraint_bias: Vec<Expr>,
+    /// f of every position row.
+    pub position_residual: Vec<Expr>,
+    /// φ, or ḟ, of every row of C.
+    pub velocity_residual: Vec<Expr>,
+    /// T = vᵀ M v / 2.
+    pub kinetic_energy: Expr,
+    /// V, where the model gives it.
+    pub potential_energy: Option<Expr>,
+
+    /// Names of the rows of C.
+    pub row_names: Vec<String>,
+    /// Names of the position rows.
+    pub position_names: Vec<String>,
+    /// Names of the multipliers.
+    pub multiplier_names: Vec<String>,
+    /// The row of C that carries the multiplier; `None` for a merged row that repeats another row's reaction.
+    pub multiplier_rows: Vec<Option<usize>>,
+    /// Choices that were made, with their reasons.
+    pub notes: Vec<String>,
+}
+
+impl Equations {
+    /// Every expression of the result.
+    pub fn roots(&self) -> Vec<Expr> {
+        let mut equations = self.clone();
+        equations.groups().into_iter().flatten().map(|e| *e).collect()
+    }
+
+    /// The expressions in groups that are computed together, to be replaced by cheaper ones in place.
+    pub fn groups(&mut self) -> Vec<Vec<&mut Expr>> {
+        let guards = self.guards.iter_mut().map(|g| &mut g.expr);
+        vec![
+            self.coordinate_rates.iter_mut().chain(&mut self.accelerations).chain(guards).collect(),
+            self.mass_matrix.entries_mut().iter_mut().chain(&mut self.forcing).collect(),
+            self.multipliers.iter_mut().collect(),
+            self.initial_coordinates.iter_mut().chain(&mut self.velocities).collect(),
+            self.complement.entries_mut().iter_mut().chain(&mut self.complement_bias).collect(),
+            self.kinematic_matrix.entries_mut().iter_mut().chain(&mut self.kinematic_bias).collect(),
+            self.inertia.entries_mut().iter_mut().collect(),
+            self.forces.iter_mut().collect(),
+            self.constraint_matrix.entries_mut().iter_mut().chain(&mut self.constraint_bias).collect(),
+            self.position_residual.iter_mut().chain(&mut self.velocity_residual).collect(),
+            std::iter::once(&mut self.kinetic_energy).chain(self.potential_energy.as_mut()).collect(),
+        ]
+    }
+}

@@ -1,0 +1,245 @@
+//! Identity decided by evaluation modulo primes.
+//!
+//! Two expressions are called identical where they agree at three fixed points modulo each of two primes. Symbols are
+//! random residues. An angle goes by the half-angle parameter τ of its base angles, sin = 2τ/(1+τ²),
+//! cos = (1-τ²)/(1+τ²), so that every trigonometric identity with rational multiples of the base angles holds
+//! exactly; exponentials likewise by powers of a random base. A root needs a residue for its argument, so points are
+//! drawn until every argument is one; its branch is fixed by its argument. Logarithms and arcs are random functions of
+//! their arguments' values. What this cannot relate is refused, never accepted: a wrong 'identical' needs a random
+//! coincidence at all six points. Where roots occur the branch is a coin toss, so values in double precision, of
+//! either sign, must not contradict.
+
+use super::modular::{Field, PRIMES, mix};
+use super::{Algebra, Expr, Function, Graph, Node, Rational, Symbol};
+
+/// Denominators that divide this have exact angle multiples: τ belongs to the angle over this number.
+const DENOMINATOR: i64 = 720_720;
+const POINTS_PER_PRIME: usize = 3;
+const REDRAWS: usize = 1024;
+
+/// The points of evaluation with the values found so far, one for each expression of the arena.
+#[derive(Clone, Debug)]
+pub struct Points(Vec<Point>);
+
+#[derive(Clone, Debug)]
+struct Point {
+    field: Field,
+    salt: u64,
+    redraws: usize,
+    /// `None` where a value is undefined (division by zero) at this point.
+    values: Vec<Option<u64>>,
+}
+
+impl Default for Points {
+    fn default() -> Self {
+        let point = |i: usize| Point {
+            field: Field(PRIMES[i % PRIMES.len()]),
+            salt: mix(0x686f_6c6f_6e6f_6d79 + i as u64),
+            redraws: 0,
+            values: Vec::new(),
+        };
+        Points((0..PRIMES.len() * POINTS_PER_PRIME).map(point).collect())
+    }
+}
+
+/// A root whose argument is no residue at this point.
+struct NotASquare;
+
+impl Point {
+    fn value(&mut self, graph: &Graph, e: Expr) -> Option<u64> {
+        while self.values.len() <= e.index() {
+            let next = Expr(self.values.len() as u32);
+            match self.of(graph, next) {
+                Ok(value) => self.values.push(value),
+                Err(NotASquare) if self.redraws < REDRAWS => {
+                    self.redraws += 1;
+                    self.salt = mix(self.salt ^ 0x5eed);
+                    self.values.clear();
+                }
+                Err(NotASquare) => self.values.push(None),
+            }
+        }
+        self.values[e.index()]
+    }
+
+    fn child(&self, e: Expr) -> Option<u64> {
+        self.values[e.index()]
+    }
+
+    fn of(&self, graph: &Graph, e: Expr) -> Result<Option<u64>, NotASquare> {
+        let f = self.field;
+        Ok(match graph.node(e) {
+            Node::Number(number) => f.rational(number),
+            Node::Symbol(symbol) => Some(f.draw(self.salt.wrapping_add(mix(symbol.index() as u64 + 1)))),
+            Node::Sum { constant, terms } => self.linear(constant, terms),
+            Node::Product(factors) => factors.iter().try_fold(1, |total, (base, exponent)| {
+                let base = self.child(*base)?;
+                let power = f.pow(base, exponent.unsigned_abs().into());
+                Some(f.mul(total, if *exponent < 0 { f.recip(power)? } else { power }))
+            }),
+            Node::Function(function, arguments) => match function {
+                Function::Sin => self.turn(graph, arguments[0]).map(|(_, s)| s),
+                Function::Cos => self.turn(graph, arguments[0]).map(|(c, _)| c),
+                Function::Exp => self.exponential(graph, arguments[0]),
+                Function::Sqrt => match self.child(arguments[0]) {
+                    None => None,
+                    Some(a) => {
+                        let root = f.sqrt(a).ok_or(NotASquare)?;
+                        let flip = mix(self.salt ^ a) & 1 == 1;
+                        Some(if flip { f.neg(root) } else { root })
+                    }
+                },
+                Function::Ln | Function::Atan2 => {
+                    let mut key = mix(self.salt ^ (*function as u64 + 77));
+                    for argument in arguments {
+                        match self.child(*argument) {
+                            Some(value) => key = mix(key ^ value),
+                            None => return Ok(None),
+                        }
+                    }
+                    Some(f.draw(key))
+                }
+            },
+        })
+    }
+
+    fn linear(&self, constant: &Rational, terms: &[(Rational, Expr)]) -> Option<u64> {
+        let f = self.field;
+        terms
+            .iter()
+            .try_fold(f.rational(constant)?, |total, (c, e)| Some(f.add(total, f.mul(f.rational(c)?, self.child(*e)?))))
+    }
+
+    /// The argument of a function as integer multiples of base quantities: (multiple, key of the base).
+    fn multiples(&self, graph: &Graph, argument: Expr) -> Option<Vec<(i64, u64)>> {
+        let (constant, terms) = graph.as_sum(argument);
+        let one = (!constant.is_zero()).then_some((constant, graph.one()));
+        let mut parts = Vec::with_capacity(terms.len() + 1);
+        for (coefficient, base) in terms.into_iter().chain(one) {
+            let value = self.child(base)?;
+            match coefficient.mul(&Rational::integer(DENOMINATOR)).as_integer() {
+                Some(multiple) => parts.push((multiple, value)),
+                // A multiple of no common base: an angle of its own.
+                None => parts.push((1, mix(self.field.mul(self.field.rational(&coefficient)?, value) ^ 0xa1))),
+            }
+        }
+        Some(parts)
+    }
+
+    /// Cosine and sine of the argument.
+    fn turn(&self, graph: &Graph, argument: Expr) -> Option<(u64, u64)> {
+        let f = self.field;
+        let times = |(a, b): (u64, u64), (c, d): (u64, u64)| {
+            (f.add(f.mul(a, c), f.neg(f.mul(b, d))), f.add(f.mul(a, d), f.mul(b, c)))
+        };
+        let mut total = (1, 0);
+        for (multiple, key) in self.multiples(graph, argument)? {
+            let tau = f.draw(self.salt ^ mix(key ^ 0x7a));
+            let square = f.mul(tau, tau);
+            let below = f.recip(f.add(1, square))?;
+            let sine = f.mul(f.add(tau, tau), below);
+            let mut base = (f.mul(f.add(1, f.neg(square)), below), if multiple < 0 { f.neg(sine) } else { sine });
+            let mut n = multiple.unsigned_abs();
+            while n > 0 {
+                if n & 1 == 1 {
+                    total = times(total, base);
+                }
+                base = times(base, base);
+                n >>= 1;
+            }
+        }
+        Some(total)
+    }
+
+    fn exponential(&self, graph: &Graph, argument: Expr) -> Option<u64> {
+        let f = self.field;
+        self.multiples(graph, argument)?.into_iter().try_fold(1, |total, (multiple, key)| {
+            let base = f.draw(self.salt ^ mix(key ^ 0xe)).max(1);
+            let base = if multiple < 0 { f.recip(base)? } else { base };
+            Some(f.mul(total, f.pow(base, multiple.unsigned_abs())))
+        })
+    }
+}
+
+impl Graph {
+    /// Whether the two expressions are one function. Decided, see the module.
+    pub fn identical(&self, a: Expr, b: Expr) -> bool {
+        a == b
+            || self.agree(|point, graph| Some((point.value(graph, a)?, point.value(graph, b)?)))
+                && !self.contradicted(a, b)
+    }
+
+    /// Whether the expression is zero for all values of its symbols.
+    pub fn vanishes(&self, e: Expr) -> bool {
+        self.identical(e, self.zero())
+    }
+
+    /// [`Graph::vanishes`] for each.
+    pub fn vanishing(&self, expressions: &[Expr]) -> Vec<bool> {
+        expressions.iter().map(|e| self.vanishes(*e)).collect()
+    }
+
+    /// A value modulo a prime at the k-th of six points, for callers that do linear algebra there; `None` where the
+    /// expression is undefined.
+    pub fn residue(&self, e: Expr, k: usize) -> Option<(Field, u64)> {
+        let mut points = self.points.borrow_mut();
+        let count = points.0.len();
+        let point = &mut points.0[k % count];
+        point.value(self, e).map(|value| (point.field, value))
+    }
+
+    fn agree(&self, mut pair: impl FnMut(&mut Point, &Graph) -> Option<(u64, u64)>) -> bool {
+        let mut points = self.points.borrow_mut();
+        points.0.iter_mut().all(|point| matches!(pair(point, self), Some((a, b)) if a == b))
+    }
+
+    /// Whether values in double precision show that the two differ; asked only where roots occur.
+    fn contradicted(&self, a: Expr, b: Expr) -> bool {
+        let order = self.reachable(&[a, b]);
+        if !order.iter().any(|e| matches!(self.node(*e), Node::Function(Function::Sqrt, _))) {
+            return false;
+        }
+        (0..24u64).any(|k| {
+            let mut algebra = Scaled { pi: self.pi_symbol(), key: mix(k) };
+            let values = self.evaluate_in(&[a, b], &mut algebra);
+            let ((x, sx), (y, sy)) = (values[0], values[1]);
+            x.is_finite() && y.is_finite() && (x - y).abs() > 1e-7 * (sx + sy + 1e-30)
+        })
+    }
+}
+
+/// Double precision with a bound of the terms' magnitudes, at a random point of either sign.
+struct Scaled {
+    pi: Symbol,
+    key: u64,
+}
+
+impl Algebra for Scaled {
+    type Value = (f64, f64);
+    fn number(&mut self, value: &Rational) -> Self::Value {
+        let x = value.to_f64();
+        (x, x.abs())
+    }
+    fn symbol(&mut self, symbol: Symbol) -> Self::Value {
+        if symbol == self.pi {
+            return (std::f64::consts::PI, std::f64::consts::PI);
+        }
+        let x = (mix(self.key ^ mix(symbol.index() as u64)) >> 11) as f64 / (1u64 << 53) as f64 * 4.0 - 2.0;
+        (x, x.abs())
+    }
+    fn add(&mut self, a: &Self::Value, b: &Self::Value) -> Self::Value {
+        (a.0 + b.0, a.1 + b.1)
+    }
+    fn mul(&mut self, a: &Self::Value, b: &Self::Value) -> Self::Value {
+        (a.0 * b.0, a.1 * b.1)
+    }
+    fn recip(&mut self, a: &Self::Value) -> Self::Value {
+        // A reciprocal loses as many digits as its argument lost by cancellation.
+        (1.0 / a.0, a.1 / (a.0 * a.0))
+    }
+    fn function(&mut self, function: Function, arguments: &[Self::Value]) -> Self::Value {
+        let values: Vec<f64> = arguments.iter().map(|a| a.0).collect();
+        let x = super::evaluate::double(function, &values);
+        (x, x.abs() + arguments.iter().map(|a| a.1).sum::<f64>())
+    }
+}

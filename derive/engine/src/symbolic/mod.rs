@@ -1,0 +1,37 @@
+//! Expressions: a hash-consed arena with exact numbers, derivatives and a decision procedure.
+//!
+//! | file | idea |
+//! |---|---|
+//! | [`rational`] | exact numbers, small ones without allocation |
+//! | [`node`] | what an expression is: symbols, n-ary sums and products, functions |
+//! | [`graph`] | the arena: interning, names, stages, reachability |
+//! | [`construct`] | canonical sums, products and powers |
+//! | [`functions`] | canonical sin, cos, √, atan2, exp, ln |
+//! | [`differentiate`] | derivatives, partial and along the motion |
+//! | [`substitute`] | replacing symbols by expressions |
+//! | [`evaluate`] | values over any scalar |
+//! | [`modular`] | arithmetic modulo a prime of 61 bits |
+//! | [`identity`] | identity decided by modular evaluation |
+//! | [`matrix`] | matrices of expressions |
+//! | [`display`] | text for messages and documentation |
+
+pub mod construct;
+pub mod differentiate;
+pub mod display;
+pub mod evaluate;
+pub mod functions;
+pub mod graph;
+pub mod identity;
+pub mod matrix;
+pub mod modular;
+pub mod node;
+pub mod rational;
+pub mod substitute;
+#[cfg(test)]
+mod tests;
+
+pub use evaluate::Algebra;
+pub use graph::Graph;
+pub use matrix::Matrix;
+pub use node::{Expr, Function, Kind, Node, Stage, Symbol};
+pub use rational::Rational;

@@ -1,0 +1,135 @@
+//! What an expression is.
+
+use super::Rational;
+
+/// An expression: an index into its [`Graph`](super::Graph). Children have smaller indices than their parents, so
+/// a loop over indices is a sweep in topological order.
+#[derive(Copy, Clone, Eq, PartialEq, Ord, PartialOrd, Hash, Debug)]
+pub struct Expr(pub(super) u32);
+
+impl Expr {
+    /// The position in the arena.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A named variable of the model.
+#[derive(Copy, Clone, Eq, PartialEq, Ord, PartialOrd, Hash, Debug)]
+pub struct Symbol(pub(super) u32);
+
+impl Symbol {
+    /// The order of declaration.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// What a symbol stands for.
+#[derive(Copy, Clone, Eq, PartialEq, Ord, PartialOrd, Hash, Debug)]
+pub enum Kind {
+    /// A number with a name: π.
+    Constant,
+    /// A field of the user's struct.
+    Parameter,
+    /// Time t.
+    Time,
+    /// A generalised coordinate, x or q.
+    Coordinate,
+    /// A generalised speed, v or u.
+    Speed,
+    /// An input.
+    Input,
+}
+
+/// How often a quantity changes, by the most changeable symbol it contains.
+#[derive(Copy, Clone, Eq, PartialEq, Ord, PartialOrd, Hash, Debug)]
+pub enum Stage {
+    /// A number.
+    Constant,
+    /// Parameters only: computed once, in `prepare`.
+    Parameter,
+    /// Time and parameters.
+    Time,
+    /// Coordinates: once per configuration.
+    Coordinate,
+    /// Speeds and inputs.
+    Speed,
+}
+
+impl Kind {
+    /// The stage of a symbol of this kind.
+    pub fn stage(self) -> Stage {
+        match self {
+            Kind::Constant => Stage::Constant,
+            Kind::Parameter => Stage::Parameter,
+            Kind::Time => Stage::Time,
+            Kind::Coordinate => Stage::Coordinate,
+            Kind::Speed | Kind::Input => Stage::Speed,
+        }
+    }
+}
+
+/// An elementary function. `tan` is built from sine and cosine.
+#[derive(Copy, Clone, Eq, PartialEq, Ord, PartialOrd, Hash, Debug)]
+pub enum Function {
+    /// Sine.
+    Sin,
+    /// Cosine.
+    Cos,
+    /// Square root.
+    Sqrt,
+    /// Angle of (x, y) from the x axis; arguments y, x.
+    Atan2,
+    /// Exponential.
+    Exp,
+    /// Natural logarithm.
+    Ln,
+}
+
+impl Function {
+    /// Name as written in a model.
+    pub fn name(self) -> &'static str {
+        match self {
+            Function::Sin => "sin",
+            Function::Cos => "cos",
+            Function::Sqrt => "sqrt",
+            Function::Atan2 => "atan2",
+            Function::Exp => "exp",
+            Function::Ln => "ln",
+        }
+    }
+}
+
+/// One node of the arena, in canonical form.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub enum Node {
+    /// An exact number.
+    Number(Rational),
+    /// A variable.
+    Symbol(Symbol),
+    /// `constant + Σ coefficient·term`: terms ascending and distinct, coefficients non-zero.
+    Sum {
+        /// The constant part.
+        constant: Rational,
+        /// Coefficient and term.
+        terms: Box<[(Rational, Expr)]>,
+    },
+    /// `Π base^exponent`: ascending, without a numeric coefficient. A base may stand twice, with a positive and with
+    /// a negative exponent, where it is not known to be non-zero.
+    Product(Box<[(Expr, i32)]>),
+    /// A function of its arguments.
+    Function(Function, Box<[Expr]>),
+}
+
+impl Node {
+    /// The children, in the node's order.
+    pub fn children(&self) -> Vec<Expr> {
+        match self {
+            Node::Number(_) | Node::Symbol(_) => Vec::new(),
+            Node::Sum { terms, .. } => terms.iter().map(|(_, e)| *e).collect(),
+            Node::Product(factors) => factors.iter().map(|(e, _)| *e).collect(),
+            Node::Function(_, arguments) => arguments.to_vec(),
+        }
+    }
+}
