@@ -4,9 +4,7 @@ mod oracle;
 mod support;
 
 use nalgebra::DVector;
-use oracle::{
-    Declaration, Dual, Number, Rows, Scaled, System, closed, onto_velocity_rows, read_models,
-};
+use oracle::{Declaration, Dual, Number, Rows, Scaled, System, closed, onto_velocity_rows, read_models};
 use serde_json::Value;
 use support::golden::{assert_close, assert_close_at, list, numbers, parse, picked};
 use support::splitmix::SplitMix;
@@ -21,25 +19,15 @@ const SOURCES: [&str; 4] = [
 const TOLERANCE: f64 = 1e-12;
 
 fn models() -> Vec<Declaration> {
-    SOURCES
-        .iter()
-        .flat_map(|source| read_models(source))
-        .collect()
+    SOURCES.iter().flat_map(|source| read_models(source)).collect()
 }
 
 fn model<'a>(models: &'a [Declaration], name: &str) -> &'a Declaration {
-    models
-        .iter()
-        .find(|m| m.name == name)
-        .expect("the model is declared")
+    models.iter().find(|m| m.name == name).expect("the model is declared")
 }
 
 fn disk<'a>(models: &'a [Declaration], name: &str, params: &Value) -> System<'a> {
-    System {
-        model: model(models, name),
-        parameters: picked(params, &["m", "r", "J", "g"]),
-        inputs: Vec::new(),
-    }
+    System { model: model(models, name), parameters: picked(params, &["m", "r", "J", "g"]), inputs: Vec::new() }
 }
 
 /// Accelerations are compared at the scale of g and forces at the scale of m g where everything cancels.
@@ -60,10 +48,7 @@ fn by_rows(matrix: &nalgebra::DMatrix<Scaled>) -> Vec<f64> {
 #[test]
 fn formulation_a_follows_the_golden_data() {
     let models = models();
-    for (case, block) in list(&parse(GOLDEN)["cases"])
-        .iter()
-        .flat_map(|c| [(c, "quasi"), (c, "quasi_free")])
-    {
+    for (case, block) in list(&parse(GOLDEN)["cases"]).iter().flat_map(|c| [(c, "quasi"), (c, "quasi_free")]) {
         let golden = &case[block];
         if golden.is_null() {
             continue;
@@ -71,13 +56,7 @@ fn formulation_a_follows_the_golden_data() {
         let system = disk(&models, "RollingDisk", &case["params"]);
         let (x, v) = (numbers(&golden["x"]), numbers(&golden["v"]));
         let close = |name: &str, computed: &[f64]| {
-            assert_close_at(
-                name,
-                computed,
-                &numbers(&golden[name]),
-                TOLERANCE,
-                natural(&case["params"]),
-            );
+            assert_close_at(name, computed, &numbers(&golden[name]), TOLERANCE, natural(&case["params"]));
         };
         let dynamics = system.dynamics(0.0, &x, &v);
         close("A", &by_rows(&dynamics.a));
@@ -96,10 +75,7 @@ fn formulation_a_follows_the_golden_data() {
 #[test]
 fn formulation_b_follows_the_golden_data() {
     let models = models();
-    for (case, block) in list(&parse(GOLDEN)["cases"])
-        .iter()
-        .flat_map(|c| [(c, "holonomic"), (c, "holonomic_free")])
-    {
+    for (case, block) in list(&parse(GOLDEN)["cases"]).iter().flat_map(|c| [(c, "holonomic"), (c, "holonomic_free")]) {
         let golden = &case[block];
         if golden.is_null() {
             continue;
@@ -107,18 +83,9 @@ fn formulation_b_follows_the_golden_data() {
         let system = disk(&models, "SlidingDisk", &case["params"]);
         let (q, u) = (numbers(&golden["q"]), numbers(&golden["u"]));
         let close = |name: &str, computed: &[f64]| {
-            assert_close_at(
-                name,
-                computed,
-                &numbers(&golden[name]),
-                TOLERANCE,
-                natural(&case["params"]),
-            );
+            assert_close_at(name, computed, &numbers(&golden[name]), TOLERANCE, natural(&case["params"]));
         };
-        let (x, v) = (
-            system.coordinates(0.0, &q),
-            system.velocities_of(0.0, &q, &u),
-        );
+        let (x, v) = (system.coordinates(0.0, &q), system.velocities_of(0.0, &q, &u));
         close("v", &v);
         let (d_transposed, a_u) = system.partial_velocities(0.0, &q, &u);
         close("Btilde", &by_rows(&d_transposed));
@@ -147,13 +114,7 @@ fn formulation_c_follows_the_golden_data() {
         let golden = &case["nonholonomic"];
         let (q, u) = (numbers(&golden["q"]), numbers(&golden["u"]));
         let close = |name: &str, computed: &[f64]| {
-            assert_close_at(
-                name,
-                computed,
-                &numbers(&golden[name]),
-                TOLERANCE,
-                natural(&case["params"]),
-            );
+            assert_close_at(name, computed, &numbers(&golden[name]), TOLERANCE, natural(&case["params"]));
         };
         // both stages at once, and the second stage by itself
         let stages = disk(&models, "RollingDiskInStages", &case["params"]);
@@ -176,19 +137,12 @@ fn formulation_c_follows_the_golden_data() {
         close("udot", motion.acceleration.as_slice());
         close("lambda", motion.multipliers.as_slice());
         let dynamics = second.dynamics(0.0, &q, &u);
-        assert_close(
-            "M_d",
-            &by_rows(&dynamics.m),
-            &numbers(&case["holonomic"]["M_d"]),
-            TOLERANCE,
-        );
+        assert_close("M_d", &by_rows(&dynamics.m), &numbers(&case["holonomic"]["M_d"]), TOLERANCE);
         let energy = dynamics.kinetic.value + dynamics.potential.expect("V").value;
         close("energy", &[energy]);
         let sliding = &case["holonomic_free"];
         if !sliding.is_null() {
-            let h = second
-                .dynamics(0.0, &numbers(&sliding["q"]), &numbers(&sliding["u"]))
-                .h;
+            let h = second.dynamics(0.0, &numbers(&sliding["q"]), &numbers(&sliding["u"])).h;
             assert_close_at(
                 "h_u",
                 &values(h.as_slice()),
@@ -258,16 +212,11 @@ fn bias_is_the_change_of_the_rows(system: &System<'_>, t: f64, x: &[f64], v: &[f
             let moved: Vec<f64> = x.iter().zip(&xdot).map(|(x, rate)| x + h * rate).collect();
             system.velocity(row, t + h, &moved, v)
         };
-        let difference =
-            (8.0 * (at(step) - at(-step)) - (at(2.0 * step) - at(-2.0 * step))) / (12.0 * step);
+        let difference = (8.0 * (at(step) - at(-step)) - (at(2.0 * step) - at(-2.0 * step))) / (12.0 * step);
         let size = bias.size.max(rows.velocity[row].size);
         // truncation h⁴ f⁽⁵⁾/30 with derivatives that grow by the rates (below 20 here), rounding ε/h
         let bound = size * (20.0 * step).powi(4) / 30.0 + size * f64::EPSILON * 10.0 / step;
-        assert!(
-            (difference - bias.value).abs() <= bound,
-            "{} row {row}: {difference} {bias:?}",
-            system.model.name
-        );
+        assert!((difference - bias.value).abs() <= bound, "{} row {row}: {difference} {bias:?}", system.model.name);
     }
 }
 
@@ -276,12 +225,7 @@ fn nested_duals_differentiate_twice() {
     let x = Dual::moving(Dual::moving(0.7, 1.0), Dual::constant(1.0));
     let (sin, cos) = x.sin_cos();
     let f = (sin * cos / (x.exp() + x.powi(3))).sqrt() + x.ln().atan2(x);
-    assert_close(
-        "f, f', f''",
-        &[f.value.value, f.value.rate, f.rate.rate],
-        &EXPECTED,
-        1e-14,
-    );
+    assert_close("f, f', f''", &[f.value.value, f.value.rate, f.rate.rate], &EXPECTED, 1e-14);
 }
 
 /// From mpmath: `mp.diff(lambda x: mp.sqrt(mp.sin(x)*mp.cos(x)/(mp.exp(x)+x**3))+mp.atan2(mp.log(x), x), 0.7, k)`.

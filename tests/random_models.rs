@@ -19,12 +19,7 @@ fn models() -> Vec<RandomModel> {
 fn every_class_is_there() {
     let models = models();
     println!("{}", counted(&models));
-    let count = |class: &str| {
-        models
-            .iter()
-            .filter(|m| m.classes.iter().any(|c| c == class))
-            .count()
-    };
+    let count = |class: &str| models.iter().filter(|m| m.classes.iter().any(|c| c == class)).count();
     for kind in KINDS {
         assert!(count(&format!("kind: {kind}")) >= 40, "{kind}");
     }
@@ -55,12 +50,7 @@ fn every_model_has_a_motion() {
             let v = system.velocities_of(t, &q, &rates);
             system.motion(t, &q, &onto_velocity_rows(&system, t, &q, &v))
         };
-        assert!(
-            motion.acceleration.iter().all(|a| a.is_finite()),
-            "{}\n{}",
-            model.name,
-            model.source
-        );
+        assert!(motion.acceleration.iter().all(|a| a.is_finite()), "{}\n{}", model.name, model.source);
         worst = worst.max(motion.condition);
     }
     println!("largest condition of (2.8): {worst:.1e}");

@@ -1,9 +1,5 @@
 //! Blades that cannot move sideways: Chaplygin's sleigh and the knife edge on an incline.
-#![allow(
-    dead_code,
-    missing_docs,
-    reason = "each test file runs its own models; fields are named as in the source"
-)]
+#![allow(dead_code, missing_docs, reason = "each test file runs its own models; fields are named as in the source")]
 
 use holonomy::ConstrainedSystem;
 

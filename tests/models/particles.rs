@@ -1,9 +1,5 @@
 //! Particles with exact solutions: pendulums, a bead on a turning rod, Atwood's machine.
-#![allow(
-    dead_code,
-    missing_docs,
-    reason = "each test file runs its own models; fields are named as in the source"
-)]
+#![allow(dead_code, missing_docs, reason = "each test file runs its own models; fields are named as in the source")]
 
 use holonomy::ConstrainedSystem;
 

@@ -1,9 +1,5 @@
 //! The rolling disc of the published set, by its centre.
-#![allow(
-    dead_code,
-    missing_docs,
-    reason = "each test file runs its own models; fields are named as in the source"
-)]
+#![allow(dead_code, missing_docs, reason = "each test file runs its own models; fields are named as in the source")]
 
 use holonomy::ConstrainedSystem;
 

@@ -3,11 +3,7 @@
 //! x = (x, y, z, phi, theta, psi): the contact point P and the angles; v1..v3 the velocity of the centre G and v4..v6 the
 //! angular velocity, both in the frame G-xi-eta-zeta. Kinematics (6.3), M (6.9), h* (6.10); J is the moment of inertia about a
 //! diameter, 2J the one about the axis.
-#![allow(
-    dead_code,
-    missing_docs,
-    reason = "each test file runs its own models; fields are named as in the source"
-)]
+#![allow(dead_code, missing_docs, reason = "each test file runs its own models; fields are named as in the source")]
 
 use holonomy::ConstrainedSystem;
 

@@ -80,10 +80,7 @@ impl Claim {
         let mut reaction = DVector::zeros(self.velocities.len());
         let mut taken = vec![false; self.row_names.len()];
         for multiplier in &self.multipliers {
-            if let Some(row) = multiplier
-                .row
-                .filter(|&row| !std::mem::replace(&mut taken[row], true))
-            {
+            if let Some(row) = multiplier.row.filter(|&row| !std::mem::replace(&mut taken[row], true)) {
                 reaction += self.constraint_matrix.row(row).transpose() * multiplier.value;
             }
         }

@@ -11,29 +11,17 @@ use nalgebra::{DMatrix, DVector};
 /// The least change of coordinates in each step; nothing is done with a configuration, whose coordinates are free.
 pub fn closed(system: &System<'_>, t: f64, start: &[f64]) -> Option<Vec<f64>> {
     let levels = system.model.constraints.iter().enumerate();
-    let rows: Vec<usize> = levels
-        .filter(|(_, c)| c.level == Level::Position)
-        .map(|(i, _)| i)
-        .collect();
+    let rows: Vec<usize> = levels.filter(|(_, c)| c.level == Level::Position).map(|(i, _)| i).collect();
     if rows.is_empty() || system.model.configuration.is_some() {
         return Some(start.to_vec());
     }
     let mut x = start.to_vec();
     for _ in 0..50 {
-        let f = DVector::from_iterator(
-            rows.len(),
-            rows.iter().map(|&row| system.position(row, t, &x)),
-        );
-        let slope = |i: usize, j: usize| {
-            system
-                .position(rows[i], Dual::fixed(t), &seeded(&x, j))
-                .rate
-        };
+        let f = DVector::from_iterator(rows.len(), rows.iter().map(|&row| system.position(row, t, &x)));
+        let slope = |i: usize, j: usize| system.position(rows[i], Dual::fixed(t), &seeded(&x, j)).rate;
         let jacobian = DMatrix::from_fn(rows.len(), x.len(), slope);
         let step = jacobian.svd(true, true).solve(&f, 1e-12).ok()?;
-        x.iter_mut()
-            .zip(step.iter())
-            .for_each(|(x, step)| *x -= step);
+        x.iter_mut().zip(step.iter()).for_each(|(x, step)| *x -= step);
         if x.iter().any(|x| !x.is_finite()) {
             return None;
         }
@@ -43,9 +31,7 @@ pub fn closed(system: &System<'_>, t: f64, start: &[f64]) -> Option<Vec<f64>> {
         }
     }
     // rows that depend on each other leave a residual step of rounding size
-    rows.iter()
-        .all(|&row| system.position(row, t, &x).abs() < 1e-13)
-        .then_some(x)
+    rows.iter().all(|&row| system.position(row, t, &x).abs() < 1e-13).then_some(x)
 }
 
 /// The velocities nearest to the given ones that satisfy every row at velocity level.
@@ -55,17 +41,10 @@ pub fn onto_velocity_rows(system: &System<'_>, t: f64, x: &[f64], v: &[f64]) -> 
     for _ in 0..2 {
         let residual = DVector::from_fn(m, |i, _| system.velocity(i, t, x, v.as_slice()));
         let fixed: Vec<Dual<f64>> = x.iter().map(|&x| Dual::fixed(x)).collect();
-        let slope = |i: usize, j: usize| {
-            system
-                .velocity(i, Dual::constant(t), &fixed, &seeded(v.as_slice(), j))
-                .rate
-        };
+        let slope = |i: usize, j: usize| system.velocity(i, Dual::constant(t), &fixed, &seeded(v.as_slice(), j)).rate;
         let jacobian = DMatrix::from_fn(m, v.len(), slope);
         if m > 0 {
-            v -= jacobian
-                .svd(true, true)
-                .solve(&residual, 1e-9)
-                .expect("both sets of singular vectors");
+            v -= jacobian.svd(true, true).solve(&residual, 1e-9).expect("both sets of singular vectors");
         }
     }
     v.as_slice().to_vec()

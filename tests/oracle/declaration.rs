@@ -91,8 +91,6 @@ impl Declaration {
 
     /// The coordinates of the state: q, or x without a configuration.
     pub fn state_coordinates(&self) -> &[String] {
-        self.configuration
-            .as_ref()
-            .map_or(&self.coordinates, |c| &c.coordinates)
+        self.configuration.as_ref().map_or(&self.coordinates, |c| &c.coordinates)
     }
 }

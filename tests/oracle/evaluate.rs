@@ -18,25 +18,18 @@ impl<'a, N: Number> Scope<'a, N> {
     /// A scope that knows the definitions only.
     pub fn new(definitions: &'a BTreeMap<String, Expr>) -> Self {
         let names = BTreeMap::from([("PI", N::constant(std::f64::consts::PI))]);
-        Self {
-            names,
-            rates: BTreeMap::new(),
-            definitions,
-            known: RefCell::default(),
-        }
+        Self { names, rates: BTreeMap::new(), definitions, known: RefCell::default() }
     }
 
     /// Adds names with their values.
     pub fn with(mut self, names: impl IntoIterator<Item = &'a str>, values: &[N]) -> Self {
-        self.names
-            .extend(names.into_iter().zip(values.iter().copied()));
+        self.names.extend(names.into_iter().zip(values.iter().copied()));
         self
     }
 
     /// Adds the values of `dot(name)`.
     pub fn with_rates(mut self, names: impl IntoIterator<Item = &'a str>, values: &[N]) -> Self {
-        self.rates
-            .extend(names.into_iter().zip(values.iter().copied()));
+        self.rates.extend(names.into_iter().zip(values.iter().copied()));
         self
     }
 
@@ -62,10 +55,7 @@ impl<'a, N: Number> Scope<'a, N> {
             }
             Expr::Path(_) => self.named(&plain(e).expect("a plain name")),
             Expr::Call(call) => match rate_of(e) {
-                Some(name) => *self
-                    .rates
-                    .get(name.as_str())
-                    .unwrap_or_else(|| panic!("dot({name}) is not in scope")),
+                Some(name) => *self.rates.get(name.as_str()).unwrap_or_else(|| panic!("dot({name}) is not in scope")),
                 None => {
                     let arguments: Vec<&Expr> = call.args.iter().collect();
                     self.function(&plain(&call.func).expect("a function's name"), &arguments)
@@ -79,9 +69,7 @@ impl<'a, N: Number> Scope<'a, N> {
         if let Some(value) = self.names.get(name).or(self.known.borrow().get(name)) {
             return *value;
         }
-        let Some((name, definition)) = self.definitions.get_key_value(name) else {
-            panic!("`{name}` is not in scope")
-        };
+        let Some((name, definition)) = self.definitions.get_key_value(name) else { panic!("`{name}` is not in scope") };
         let value = self.value(definition);
         self.known.borrow_mut().insert(name, value);
         value

@@ -43,11 +43,7 @@ impl System<'_> {
     pub fn configured_motion(&self, t: f64, q: &[f64], qdot: &[f64]) -> Motion {
         let x = self.coordinates(t, q);
         let v = self.velocities_of(t, q, qdot);
-        solve(
-            &self.dynamics(t, &x, &v),
-            &self.rows(t, &x, &v),
-            &Some(self.partial_velocities(t, q, qdot)),
-        )
+        solve(&self.dynamics(t, &x, &v), &self.rows(t, &x, &v), &Some(self.partial_velocities(t, q, qdot)))
     }
 }
 
@@ -55,18 +51,11 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial) -> Motion {
     let (n, m) = (dynamics.h.len(), rows.c0.len());
     let p = partial.as_ref().map_or(0, |(d, _)| d.ncols());
     let links = if partial.is_some() { n } else { 0 };
-    let zero = Scaled {
-        value: 0.0,
-        size: 0.0,
-    };
+    let zero = Scaled { value: 0.0, size: 0.0 };
 
     // unknowns: v̇ (n), q̈ (p); rows: the declared ones (m), then v̇ − Dᵀ q̈ = a_u
     let inertia = |i: usize, j: usize| {
-        if i < n && j < n {
-            dynamics.m[(i, j)]
-        } else {
-            zero
-        }
+        if i < n && j < n { dynamics.m[(i, j)] } else { zero }
     };
     let row = |i: usize, j: usize| match (i.checked_sub(m), partial) {
         (None, _) => {
@@ -77,10 +66,7 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial) -> Motion {
             }
         }
         (Some(i), Some((d, _))) if j >= n => -d[(i, j - n)],
-        (Some(i), _) => Scaled {
-            value: f64::from(u8::from(i == j)),
-            size: f64::from(u8::from(i == j)),
-        },
+        (Some(i), _) => Scaled { value: f64::from(u8::from(i == j)), size: f64::from(u8::from(i == j)) },
     };
     let force = |i: usize| if i < n { dynamics.h[i] } else { zero };
     let bias = |i: usize| match (i.checked_sub(m), partial) {
@@ -94,16 +80,12 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial) -> Motion {
         scale[i] = 1.0 / dynamics.m[(i, i)].value.sqrt();
     }
     for j in 0..p {
-        let column: f64 = (0..n)
-            .map(|i| (row(m + i, n + j).value / scale[i]).powi(2))
-            .sum();
+        let column: f64 = (0..n).map(|i| (row(m + i, n + j).value / scale[i]).powi(2)).sum();
         scale[n + j] = 1.0 / column.sqrt().max(f64::MIN_POSITIVE);
     }
     let size = n + p + m + links;
     let row_scale = DVector::from_fn(m + links, |i, _| {
-        let norm: f64 = (0..n + p)
-            .map(|j| (row(i, j).value * scale[j]).powi(2))
-            .sum();
+        let norm: f64 = (0..n + p).map(|j| (row(i, j).value * scale[j]).powi(2)).sum();
         if norm > 0.0 { 1.0 / norm.sqrt() } else { 1.0 }
     });
     let entry = |i: usize, j: usize| match (i < n + p, j < n + p) {
@@ -124,17 +106,14 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial) -> Motion {
     let constraint = matrix.view((n + p, 0), (m + links, n + p)).into_owned();
     let (rank, _) = conditioned_rank(&constraint);
     let (solution, condition) = solve_dense(&matrix, &vector, rank == m + links);
-    let error = UNIT * condition * (matrix_size.norm() * solution.norm() + vector_size.norm())
-        / matrix.norm();
+    let error = UNIT * condition * (matrix_size.norm() * solution.norm() + vector_size.norm()) / matrix.norm();
 
     let acceleration = DVector::from_fn(n, |i, _| solution[i] * scale[i]);
     let value = dynamics.m.map(|e| e.value);
     let force_value = dynamics.h.map(|e| e.value);
     Motion {
         reaction: value * &acceleration - force_value,
-        multipliers: DVector::from_fn(if links == 0 { m } else { 0 }, |i, _| {
-            solution[n + p + i] * row_scale[i]
-        }),
+        multipliers: DVector::from_fn(if links == 0 { m } else { 0 }, |i, _| solution[n + p + i] * row_scale[i]),
         freedom: n + p - rank,
         condition,
         acceleration_error: DVector::from_fn(n, |i, _| error * scale[i]),
@@ -156,8 +135,7 @@ fn solve_dense(matrix: &DMatrix<f64>, vector: &DVector<f64>, regular: bool) -> (
         if regular {
             matrix.clone().lu().solve(right).expect("rows of full rank")
         } else {
-            svd.solve(right, RANK * largest)
-                .expect("both sets of singular vectors")
+            svd.solve(right, RANK * largest).expect("both sets of singular vectors")
         }
     };
     let first = once(vector);
@@ -172,15 +150,7 @@ pub fn conditioned_rank(matrix: &DMatrix<f64>) -> (usize, f64) {
     }
     let values = matrix.singular_values();
     let largest = values.max();
-    let kept: Vec<f64> = values
-        .iter()
-        .copied()
-        .filter(|s| *s > RANK * largest)
-        .collect();
+    let kept: Vec<f64> = values.iter().copied().filter(|s| *s > RANK * largest).collect();
     let least = kept.iter().copied().fold(largest, f64::min);
-    if largest == 0.0 {
-        (0, 1.0)
-    } else {
-        (kept.len(), largest / least)
-    }
+    if largest == 0.0 { (0, 1.0) } else { (kept.len(), largest / least) }
 }

@@ -5,13 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// What an expression can be evaluated over.
 pub trait Number:
-    Copy
-    + Debug
-    + Neg<Output = Self>
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
+    Copy + Debug + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     /// A number that depends on nothing.
     fn constant(x: f64) -> Self;
@@ -79,10 +73,7 @@ pub struct Dual<N> {
 impl<N: Number> Dual<N> {
     /// A number that does not change in the direction of the derivative.
     pub fn fixed(value: N) -> Self {
-        Self {
-            value,
-            rate: N::zero(),
-        }
+        Self { value, rate: N::zero() }
     }
     /// A number with its derivative.
     pub fn moving(value: N, rate: N) -> Self {
@@ -90,57 +81,39 @@ impl<N: Number> Dual<N> {
     }
     /// f(self), where f and f' were evaluated at the value.
     fn chain(self, f: N, slope: N) -> Self {
-        Self {
-            value: f,
-            rate: slope * self.rate,
-        }
+        Self { value: f, rate: slope * self.rate }
     }
 }
 
 impl<N: Number> Neg for Dual<N> {
     type Output = Self;
     fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            rate: -self.rate,
-        }
+        Self { value: -self.value, rate: -self.rate }
     }
 }
 impl<N: Number> Add for Dual<N> {
     type Output = Self;
     fn add(self, o: Self) -> Self {
-        Self {
-            value: self.value + o.value,
-            rate: self.rate + o.rate,
-        }
+        Self { value: self.value + o.value, rate: self.rate + o.rate }
     }
 }
 impl<N: Number> Sub for Dual<N> {
     type Output = Self;
     fn sub(self, o: Self) -> Self {
-        Self {
-            value: self.value - o.value,
-            rate: self.rate - o.rate,
-        }
+        Self { value: self.value - o.value, rate: self.rate - o.rate }
     }
 }
 impl<N: Number> Mul for Dual<N> {
     type Output = Self;
     fn mul(self, o: Self) -> Self {
-        Self {
-            value: self.value * o.value,
-            rate: self.rate * o.value + self.value * o.rate,
-        }
+        Self { value: self.value * o.value, rate: self.rate * o.value + self.value * o.rate }
     }
 }
 impl<N: Number> Div for Dual<N> {
     type Output = Self;
     fn div(self, o: Self) -> Self {
         let value = self.value / o.value;
-        Self {
-            value,
-            rate: (self.rate - value * o.rate) / o.value,
-        }
+        Self { value, rate: (self.rate - value * o.rate) / o.value }
     }
 }
 
@@ -168,10 +141,7 @@ impl<N: Number> Number for Dual<N> {
     }
     fn atan2(self, x: Self) -> Self {
         let square = self.value * self.value + x.value * x.value;
-        Self {
-            value: self.value.atan2(x.value),
-            rate: (self.rate * x.value - self.value * x.rate) / square,
-        }
+        Self { value: self.value.atan2(x.value), rate: (self.rate * x.value - self.value * x.rate) / square }
     }
 }
 
@@ -191,65 +161,44 @@ pub struct Scaled {
 impl Neg for Scaled {
     type Output = Self;
     fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            size: self.size,
-        }
+        Self { value: -self.value, size: self.size }
     }
 }
 impl Add for Scaled {
     type Output = Self;
     fn add(self, o: Self) -> Self {
-        Self {
-            value: self.value + o.value,
-            size: self.size + o.size,
-        }
+        Self { value: self.value + o.value, size: self.size + o.size }
     }
 }
 impl Sub for Scaled {
     type Output = Self;
     fn sub(self, o: Self) -> Self {
-        Self {
-            value: self.value - o.value,
-            size: self.size + o.size,
-        }
+        Self { value: self.value - o.value, size: self.size + o.size }
     }
 }
 impl Mul for Scaled {
     type Output = Self;
     fn mul(self, o: Self) -> Self {
-        Self {
-            value: self.value * o.value,
-            size: self.size * o.value.abs() + self.value.abs() * o.size,
-        }
+        Self { value: self.value * o.value, size: self.size * o.value.abs() + self.value.abs() * o.size }
     }
 }
 impl Div for Scaled {
     type Output = Self;
     fn div(self, o: Self) -> Self {
         let value = self.value / o.value;
-        Self {
-            value,
-            size: (self.size + value.abs() * o.size) / o.value.abs(),
-        }
+        Self { value, size: (self.size + value.abs() * o.size) / o.value.abs() }
     }
 }
 
 impl Scaled {
     fn through(self, f: f64, slope: f64) -> Self {
-        Self {
-            value: f,
-            size: f.abs() + slope.abs() * self.size,
-        }
+        Self { value: f, size: f.abs() + slope.abs() * self.size }
     }
 }
 
 impl Number for Scaled {
     fn constant(x: f64) -> Self {
-        Self {
-            value: x,
-            size: x.abs(),
-        }
+        Self { value: x, size: x.abs() }
     }
     fn value(self) -> f64 {
         self.value
@@ -273,9 +222,6 @@ impl Number for Scaled {
         let square = self.value * self.value + x.value * x.value;
         let value = self.value.atan2(x.value);
         let moved = (self.size * x.value.abs() + self.value.abs() * x.size) / square;
-        Self {
-            value,
-            size: value.abs() + moved,
-        }
+        Self { value, size: value.abs() + moved }
     }
 }

@@ -29,17 +29,13 @@ fn derives(attributes: &[Attribute]) -> bool {
 }
 
 fn read(item: &ItemStruct) -> Declaration {
-    let mut model = Declaration {
-        name: item.ident.to_string(),
-        ..Declaration::default()
-    };
+    let mut model = Declaration { name: item.ident.to_string(), ..Declaration::default() };
     read_fields(&mut model, &item.fields);
     for attribute in &item.attrs {
         let Some(name) = attribute.path().get_ident().map(ToString::to_string) else {
             continue;
         };
-        statements::read(&mut model, &name, attribute)
-            .unwrap_or_else(|e| panic!("{}: #[{name}]: {e}", item.ident));
+        statements::read(&mut model, &name, attribute).unwrap_or_else(|e| panic!("{}: #[{name}]: {e}", item.ident));
     }
     complete(&mut model);
     model
@@ -54,8 +50,7 @@ fn read_fields(model: &mut Declaration, fields: &Fields) {
             continue;
         }
         let nominal = field.attrs.iter().find(|a| a.path().is_ident("nominal"));
-        let nominal =
-            nominal.map(|a| statements::number(&a.parse_args::<Expr>().expect("a nominal value")));
+        let nominal = nominal.map(|a| statements::number(&a.parse_args::<Expr>().expect("a nominal value")));
         model.parameters.push((name.to_string(), nominal));
     }
 }
@@ -63,25 +58,14 @@ fn read_fields(model: &mut Declaration, fields: &Fields) {
 /// What follows from all statements together: default speeds, the order of the kinematics, q, the level of each constraint.
 fn complete(model: &mut Declaration) {
     if model.speeds.is_empty() {
-        model.speeds = model
-            .coordinates
-            .iter()
-            .map(|x| format!("dot_{x}"))
-            .collect();
+        model.speeds = model.coordinates.iter().map(|x| format!("dot_{x}")).collect();
     }
     if let Some(configuration) = &mut model.configuration {
-        let free = model
-            .coordinates
-            .iter()
-            .filter(|x| !configuration.map.contains_key(*x));
+        let free = model.coordinates.iter().filter(|x| !configuration.map.contains_key(*x));
         let further = std::mem::take(&mut configuration.coordinates);
         configuration.coordinates = free.cloned().chain(further).collect();
     }
-    let levels: Vec<Level> = model
-        .constraints
-        .iter()
-        .map(|c| level(model, &[&c.left, &c.right]))
-        .collect();
+    let levels: Vec<Level> = model.constraints.iter().map(|c| level(model, &[&c.left, &c.right])).collect();
     for (constraint, level) in model.constraints.iter_mut().zip(levels) {
         constraint.level = level;
     }
@@ -98,20 +82,10 @@ fn level(model: &Declaration, sides: &[&Expr]) -> Level {
         };
         let mut more = Names::default();
         more.visit_expr(definition);
-        open.extend(
-            more.0
-                .iter()
-                .filter(|n| all.insert((*n).clone()))
-                .cloned()
-                .collect::<Vec<_>>(),
-        );
+        open.extend(more.0.iter().filter(|n| all.insert((*n).clone())).cloned().collect::<Vec<_>>());
     }
     let moving = all.contains("dot") || model.speeds.iter().any(|v| all.contains(v));
-    if moving {
-        Level::Velocity
-    } else {
-        Level::Position
-    }
+    if moving { Level::Velocity } else { Level::Position }
 }
 
 /// The names in an expression, called functions included.

@@ -21,13 +21,9 @@ impl Report {
         let error = (claimed - expected).abs();
         self.compared += 1;
         if error <= bound {
-            self.worst = self
-                .worst
-                .max(if bound > 0.0 { error / bound } else { 0.0 });
+            self.worst = self.worst.max(if bound > 0.0 { error / bound } else { 0.0 });
         } else {
-            let line = format!(
-                "{what}: claimed {claimed:e}, expected {expected:e}, off by {error:e}, bound {bound:e}"
-            );
+            let line = format!("{what}: claimed {claimed:e}, expected {expected:e}, off by {error:e}, bound {bound:e}");
             self.failures.push(line);
         }
     }
@@ -40,19 +36,9 @@ impl Report {
     }
 
     /// A vector with one bound per entry.
-    pub fn bounded(
-        &mut self,
-        what: &str,
-        claimed: &[f64],
-        expected: &DVector<f64>,
-        bound: &DVector<f64>,
-    ) {
+    pub fn bounded(&mut self, what: &str, claimed: &[f64], expected: &DVector<f64>, bound: &DVector<f64>) {
         self.fact(
-            &format!(
-                "{what}: {} entries instead of {}",
-                claimed.len(),
-                expected.len()
-            ),
+            &format!("{what}: {} entries instead of {}", claimed.len(), expected.len()),
             claimed.len() == expected.len(),
         );
         for (i, (claimed, expected)) in claimed.iter().zip(expected.iter()).enumerate() {
@@ -69,22 +55,14 @@ impl Report {
 
     /// An evaluated matrix, row by row.
     pub fn matrix(&mut self, what: &str, claimed: &DMatrix<f64>, expected: &DMatrix<Scaled>) {
-        let shapes = format!(
-            "{what}: {:?} instead of {:?}",
-            claimed.shape(),
-            expected.shape()
-        );
+        let shapes = format!("{what}: {:?} instead of {:?}", claimed.shape(), expected.shape());
         self.fact(&shapes, claimed.shape() == expected.shape());
         if claimed.shape() != expected.shape() {
             return;
         }
         for i in 0..claimed.nrows() {
             let row: Vec<f64> = claimed.row(i).iter().copied().collect();
-            self.vector(
-                &format!("{what} row {i}"),
-                &row,
-                &expected.row(i).transpose(),
-            );
+            self.vector(&format!("{what} row {i}"), &row, &expected.row(i).transpose());
         }
     }
 
@@ -93,10 +71,6 @@ impl Report {
     /// # Panics
     /// If there is one.
     pub fn assert(&self, place: &str) {
-        assert!(
-            self.failures.is_empty(),
-            "{place}\n  {}",
-            self.failures.join("\n  ")
-        );
+        assert!(self.failures.is_empty(), "{place}\n  {}", self.failures.join("\n  "));
     }
 }

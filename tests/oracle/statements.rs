@@ -18,9 +18,7 @@ pub fn read(model: &mut Declaration, name: &str, attribute: &Attribute) -> Resul
         "inertia" => model.inertia = inertia(&attribute.parse_args()?)?,
         "forces" => model.forces = list()?,
         "potential_energy" => model.potential_energy = Some(attribute.parse_args()?),
-        "constraint" => model
-            .constraints
-            .push(attribute.parse_args_with(constraint)?),
+        "constraint" => model.constraints.push(attribute.parse_args_with(constraint)?),
         "configuration" => model.configuration = Some(configuration(list()?)?),
         "independent" => model.independent = list()?,
         "complement" => {
@@ -28,19 +26,13 @@ pub fn read(model: &mut Declaration, name: &str, attribute: &Attribute) -> Resul
                 let Expr::Array(row) = row else {
                     return Err(Error::new_spanned(row, "not a row"));
                 };
-                model
-                    .complement
-                    .push((name, row.elems.into_iter().collect()));
+                model.complement.push((name, row.elems.into_iter().collect()));
             }
         }
         "define" => model.definitions.extend(assignments(list()?)?),
         "start" => {
             let start = assignments(list()?)?;
-            model.start.extend(
-                start
-                    .into_iter()
-                    .map(|(name, value)| (name, number(&value))),
-            );
+            model.start.extend(start.into_iter().map(|(name, value)| (name, number(&value))));
         }
         _ => {}
     }
@@ -131,11 +123,7 @@ fn inertia(e: &Expr) -> Result<Vec<Vec<Option<Expr>>>> {
     let arguments: Vec<Expr> = call.args.iter().cloned().collect();
     let n = arguments.len();
     if plain(&call.func).as_deref() == Some("diag") {
-        let row = |i: usize| {
-            (0..n)
-                .map(|j| (i == j).then(|| arguments[i].clone()))
-                .collect()
-        };
+        let row = |i: usize| (0..n).map(|j| (i == j).then(|| arguments[i].clone())).collect();
         return Ok((0..n).map(row).collect());
     }
     let row = |e: &Expr| {
@@ -158,25 +146,16 @@ fn constraint(input: ParseStream<'_>) -> Result<Constraint> {
         return Err(Error::new_spanned(equation, "not an equation"));
     }
     let (left, right) = (*equation.left, *equation.right);
-    Ok(Constraint {
-        name: name.to_string(),
-        left,
-        right,
-        level: Level::Position,
-    })
+    Ok(Constraint { name: name.to_string(), left, right, level: Level::Position })
 }
 
 fn configuration(list: Vec<Expr>) -> Result<Configuration> {
-    let (of, map): (Vec<Expr>, Vec<Expr>) =
-        list.into_iter().partition(|e| matches!(e, Expr::Call(_)));
+    let (of, map): (Vec<Expr>, Vec<Expr>) = list.into_iter().partition(|e| matches!(e, Expr::Call(_)));
     let further = of.iter().flat_map(|e| match e {
         Expr::Call(call) => call.args.iter().filter_map(plain).collect(),
         _ => Vec::new(),
     });
-    Ok(Configuration {
-        coordinates: further.collect(),
-        map: assignments(map)?.into_iter().collect(),
-    })
+    Ok(Configuration { coordinates: further.collect(), map: assignments(map)?.into_iter().collect() })
 }
 
 /// An expression from text, for tests of the evaluator itself.

@@ -53,25 +53,15 @@ pub type Entry = Scaled;
 impl<'a> System<'a> {
     /// The model with its nominal parameters and no inputs.
     pub fn nominal(model: &'a Declaration) -> Self {
-        Self {
-            model,
-            parameters: model.nominal(),
-            inputs: vec![0.0; model.inputs.len()],
-        }
+        Self { model, parameters: model.nominal(), inputs: vec![0.0; model.inputs.len()] }
     }
 
     fn scope<N: Number>(&self, t: N, x: &[N]) -> Scope<'a, N> {
         let lifted = |values: &[f64]| values.iter().map(|&p| N::constant(p)).collect::<Vec<_>>();
         Scope::new(&self.model.definitions)
             .with(["t"], &[t])
-            .with(
-                self.model.parameters.iter().map(|(name, _)| name.as_str()),
-                &lifted(&self.parameters),
-            )
-            .with(
-                self.model.inputs.iter().map(String::as_str),
-                &lifted(&self.inputs),
-            )
+            .with(self.model.parameters.iter().map(|(name, _)| name.as_str()), &lifted(&self.parameters))
+            .with(self.model.inputs.iter().map(String::as_str), &lifted(&self.inputs))
             .with(self.model.coordinates.iter().map(String::as_str), x)
     }
 
@@ -85,9 +75,7 @@ impl<'a> System<'a> {
     /// ẋ from v (2.1).
     pub fn rates<N: Number>(&self, t: N, x: &[N], v: &[N]) -> Vec<N> {
         if let Some(rates) = &self.model.rates {
-            let scope = self
-                .scope(t, x)
-                .with(self.model.speeds.iter().map(String::as_str), v);
+            let scope = self.scope(t, x).with(self.model.speeds.iter().map(String::as_str), v);
             return rates.iter().map(|e| scope.value(e)).collect();
         }
         if self.model.speeds_by_rates.is_none() {
@@ -100,18 +88,14 @@ impl<'a> System<'a> {
             v.iter().map(|v| v.rate).collect()
         };
         let columns: Vec<Vec<N>> = (0..x.len()).map(column).collect();
-        let b = (0..x.len())
-            .map(|i| columns.iter().map(|c| c[i]).collect())
-            .collect();
+        let b = (0..x.len()).map(|i| columns.iter().map(|c| c[i]).collect()).collect();
         solve(b, v.iter().zip(&b0).map(|(&v, &b0)| v - b0).collect())
     }
 
     /// v from ẋ (2.2).
     pub fn velocities<N: Number>(&self, t: N, x: &[N], xdot: &[N]) -> Vec<N> {
         if let Some(speeds) = &self.model.speeds_by_rates {
-            let scope = self
-                .scope(t, x)
-                .with_rates(self.model.coordinates.iter().map(String::as_str), xdot);
+            let scope = self.scope(t, x).with_rates(self.model.coordinates.iter().map(String::as_str), xdot);
             return speeds.iter().map(|e| scope.value(e)).collect();
         }
         let Some(rates) = &self.model.rates else {
@@ -122,23 +106,12 @@ impl<'a> System<'a> {
         let bias = self.scope(t, x).with(names(), &still);
         let columns: Vec<Vec<N>> = (0..x.len())
             .map(|j| {
-                let scope = self
-                    .scope(Dual::fixed(t), &fixed(x))
-                    .with(names(), &seeded(&still, j));
+                let scope = self.scope(Dual::fixed(t), &fixed(x)).with(names(), &seeded(&still, j));
                 rates.iter().map(|e| scope.value(e).rate).collect()
             })
             .collect();
-        let a = (0..x.len())
-            .map(|i| columns.iter().map(|c| c[i]).collect())
-            .collect();
-        solve(
-            a,
-            rates
-                .iter()
-                .zip(xdot)
-                .map(|(e, &xdot)| xdot - bias.value(e))
-                .collect(),
-        )
+        let a = (0..x.len()).map(|i| columns.iter().map(|c| c[i]).collect()).collect();
+        solve(a, rates.iter().zip(xdot).map(|(e, &xdot)| xdot - bias.value(e)).collect())
     }
 
     /// x = g(q, t) (4.2); x itself without a configuration.
@@ -146,28 +119,16 @@ impl<'a> System<'a> {
         let Some(configuration) = &self.model.configuration else {
             return q.to_vec();
         };
-        let names: Vec<&str> = configuration
-            .coordinates
-            .iter()
-            .map(String::as_str)
-            .collect();
+        let names: Vec<&str> = configuration.coordinates.iter().map(String::as_str).collect();
         // g may be written in q only; the other initial coordinates are not in scope
         let lifted: Vec<N> = self.parameters.iter().map(|&p| N::constant(p)).collect();
         let scope = Scope::new(&self.model.definitions)
             .with(["t"], &[t])
-            .with(
-                self.model.parameters.iter().map(|(name, _)| name.as_str()),
-                &lifted,
-            )
+            .with(self.model.parameters.iter().map(|(name, _)| name.as_str()), &lifted)
             .with(names.iter().copied(), q);
         let value = |x: &String| match configuration.map.get(x) {
             Some(g) => scope.value(g),
-            None => {
-                q[names
-                    .iter()
-                    .position(|name| name == x)
-                    .expect("a coordinate of the state")]
-            }
+            None => q[names.iter().position(|name| name == x).expect("a coordinate of the state")],
         };
         self.model.coordinates.iter().map(value).collect()
     }
@@ -191,34 +152,20 @@ impl<'a> System<'a> {
         let constraint = &self.model.constraints[row];
         if constraint.level == Level::Position {
             let rates = self.rates(t, x, v);
-            return self
-                .position(row, Dual::moving(t, N::one()), &along(x, &rates))
-                .rate;
+            return self.position(row, Dual::moving(t, N::one()), &along(x, &rates)).rate;
         }
         let scope = self.moving(t, x, v);
         scope.value(&constraint.left) - scope.value(&constraint.right)
     }
 
     /// Dᵀ = ∂v/∂q̇ (4.9) as a matrix n × p, and a_u = v̇ with q̈ = 0.
-    pub fn partial_velocities(
-        &self,
-        t: f64,
-        q: &[f64],
-        qdot: &[f64],
-    ) -> (DMatrix<Entry>, DVector<Entry>) {
+    pub fn partial_velocities(&self, t: f64, q: &[f64], qdot: &[f64]) -> (DMatrix<Entry>, DVector<Entry>) {
         let (t, q, qdot) = (Entry::constant(t), lift(q), lift(qdot));
         let column = |j| self.velocities_of(Dual::fixed(t), &fixed(&q), &seeded(&qdot, j));
         let columns: Vec<_> = (0..q.len()).map(column).collect();
         let d_transposed = DMatrix::from_fn(self.model.n(), q.len(), |i, j| columns[j][i].rate);
-        let rates = self.velocities_of(
-            Dual::moving(t, Entry::one()),
-            &along(&q, &qdot),
-            &fixed(&qdot),
-        );
-        (
-            d_transposed,
-            DVector::from_iterator(self.model.n(), rates.iter().map(|v| v.rate)),
-        )
+        let rates = self.velocities_of(Dual::moving(t, Entry::one()), &along(&q, &qdot), &fixed(&qdot));
+        (d_transposed, DVector::from_iterator(self.model.n(), rates.iter().map(|v| v.rate)))
     }
 
     /// A, a0, M, h* and the energies.
@@ -229,14 +176,8 @@ impl<'a> System<'a> {
         let column = |j| self.rates(Dual::fixed(t), &fixed(&x), &seeded(&still, j));
         let columns: Vec<_> = (0..n).map(column).collect();
         let scope = self.moving(t, &x, &v);
-        let entry = |i: usize, j: usize| {
-            self.model.inertia[i][j]
-                .as_ref()
-                .or(self.model.inertia[j][i].as_ref())
-        };
-        let m = DMatrix::from_fn(n, n, |i, j| {
-            entry(i, j).map_or(Entry::zero(), |e| scope.value(e))
-        });
+        let entry = |i: usize, j: usize| self.model.inertia[i][j].as_ref().or(self.model.inertia[j][i].as_ref());
+        let m = DMatrix::from_fn(n, n, |i, j| entry(i, j).map_or(Entry::zero(), |e| scope.value(e)));
         let pairs = (0..n * n).map(|k| m[(k / n, k % n)] * v[k / n] * v[k % n]);
         Dynamics {
             a: DMatrix::from_fn(n, n, |i, j| columns[j][i].rate),
@@ -253,23 +194,12 @@ impl<'a> System<'a> {
         let (t, x, v) = (Entry::constant(t), lift(x), lift(v));
         let (n, m) = (v.len(), self.model.constraints.len());
         let still = fixed(&x);
-        let c = DMatrix::from_fn(m, n, |i, j| {
-            self.velocity(i, Dual::fixed(t), &still, &seeded(&v, j))
-                .rate
-        });
+        let c = DMatrix::from_fn(m, n, |i, j| self.velocity(i, Dual::fixed(t), &still, &seeded(&v, j)).rate);
         let carried = along(&x, &self.rates(t, &x, &v));
-        let bias = |i| {
-            self.velocity(i, Dual::moving(t, Entry::one()), &carried, &fixed(&v))
-                .rate
-        };
+        let bias = |i| self.velocity(i, Dual::moving(t, Entry::one()), &carried, &fixed(&v)).rate;
         let constraints = self.model.constraints.iter().enumerate();
         Rows {
-            names: self
-                .model
-                .constraints
-                .iter()
-                .map(|c| c.name.clone())
-                .collect(),
+            names: self.model.constraints.iter().map(|c| c.name.clone()).collect(),
             c,
             c0: DVector::from_fn(m, |i, _| bias(i)),
             velocity: (0..m).map(|i| self.velocity(i, t, &x, &v)).collect(),

@@ -48,29 +48,19 @@ impl Builder {
         let mut text = String::new();
         for i in 0..m {
             let name = format!("row{}", i + 1);
-            text += &if i < positions {
-                row(&name, &self.position(i, m).f)
-            } else {
-                row(&name, &self.velocity(i, m))
-            };
+            text += &if i < positions { row(&name, &self.position(i, m).f) } else { row(&name, &self.velocity(i, m)) };
         }
         text + &self.independent(m)
     }
 
     /// A position row on the i-th pivot; the other names come from the coordinates that are no pivots, if there are any.
     fn position(&mut self, i: usize, m: usize) -> super::rows::Closure {
-        let (pivot, others) = (
-            self.x[self.order[i]].clone(),
-            self.beside(i, m, &self.x.clone()),
-        );
+        let (pivot, others) = (self.x[self.order[i]].clone(), self.beside(i, m, &self.x.clone()));
         self.writer.closure(&pivot, &others, self.rheonomic)
     }
 
     fn velocity(&mut self, i: usize, m: usize) -> String {
-        let (pivot, others) = (
-            self.v[self.order[i]].clone(),
-            self.beside(i, m, &self.v.clone()),
-        );
+        let (pivot, others) = (self.v[self.order[i]].clone(), self.beside(i, m, &self.v.clone()));
         let driven = self.writer.random.once_in(3);
         let names = self.names.clone();
         self.writer.rolling(&pivot, &others, &names, driven)
@@ -78,11 +68,7 @@ impl Builder {
 
     /// Names that may stand beside the i-th pivot: all that are no pivots, and the pivots before it.
     fn beside(&mut self, i: usize, m: usize, names: &[String]) -> Vec<String> {
-        let mut allowed: Vec<usize> = self.order[m..]
-            .iter()
-            .chain(&self.order[..i])
-            .copied()
-            .collect();
+        let mut allowed: Vec<usize> = self.order[m..].iter().chain(&self.order[..i]).copied().collect();
         allowed.truncate(1 + self.writer.random.below(4));
         allowed.iter().map(|&j| names[j].clone()).collect()
     }
@@ -93,11 +79,7 @@ impl Builder {
             return String::new();
         }
         self.classes.push("independent speeds named".to_string());
-        let speeds: Vec<String> = self.order[m..]
-            .iter()
-            .rev()
-            .map(|&j| self.v[j].clone())
-            .collect();
+        let speeds: Vec<String> = self.order[m..].iter().rev().map(|&j| self.v[j].clone()).collect();
         format!("#[independent({})]\n", speeds.join(", "))
     }
 
@@ -126,19 +108,13 @@ impl Builder {
         let names = self.names.clone();
         let weight = format!("0.50*{}", self.writer.bounded(&names));
         let second = format!("{} - {weight}*({first})", closure.rate);
-        row("height", &closure.f)
-            + &row("first", &first)
-            + &row("second", &second)
-            + &self.independent(2)
+        row("height", &closure.f) + &row("first", &first) + &row("second", &second) + &self.independent(2)
     }
 
     /// Some coordinates as functions of the others and of time; each may also be declared as a row, for its reaction.
     fn configuration_by_names(&mut self, then_rows: bool) -> String {
         let given = 1 + self.writer.random.below((self.n - 1).min(2));
-        let free: Vec<String> = self.order[given..]
-            .iter()
-            .map(|&j| self.x[j].clone())
-            .collect();
+        let free: Vec<String> = self.order[given..].iter().map(|&j| self.x[j].clone()).collect();
         let mut names = free.clone();
         if self.rheonomic {
             names.push("t".to_string());
@@ -147,11 +123,7 @@ impl Builder {
         let reactions = self.writer.random.below(3);
         for i in 0..given {
             let x = self.x[self.order[i]].clone();
-            let g = format!(
-                "{}*{}",
-                self.writer.decimal(0.5, 1.5),
-                self.writer.bounded(&names)
-            );
+            let g = format!("{}*{}", self.writer.decimal(0.5, 1.5), self.writer.bounded(&names));
             // all reactions, some, or none
             if reactions == 0 || (reactions == 1 && i == 0) {
                 rows += &row(&format!("held_{x}"), &format!("{x} - ({g})"));
@@ -168,8 +140,7 @@ impl Builder {
         );
         if then_rows && free.len() > 1 {
             // a row on the rates of the free coordinates
-            self.classes
-                .push("rows on top of a configuration".to_string());
+            self.classes.push("rows on top of a configuration".to_string());
             let rates: Vec<String> = free.iter().map(|x| format!("dot({x})")).collect();
             let driven = self.writer.random.once_in(3);
             let equation = self.writer.rolling(&rates[0], &rates[1..], &free, driven);
@@ -198,17 +169,12 @@ impl Builder {
             }
             let g = self.writer.bounded(&names);
             // in x instead of q: q_i = x_i/1.25 vanishes identically on the configuration
-            let in_x = (0..p).rev().fold(g.clone(), |g, i| {
-                g.replace(&q[i], &format!("({}/1.25)", self.x[self.order[i]]))
-            });
+            let in_x =
+                (0..p).rev().fold(g.clone(), |g, i| g.replace(&q[i], &format!("({}/1.25)", self.x[self.order[i]])));
             rows += &row(&format!("held_{x}"), &format!("{x} - ({in_x})"));
             map.push(format!("{x} = {g}"));
         }
-        format!(
-            "#[configuration(of({}), {})]\n{rows}",
-            q.join(", "),
-            map.join(", ")
-        )
+        format!("#[configuration(of({}), {})]\n{rows}", q.join(", "), map.join(", "))
     }
 
     /// Velocity rows solved for their pivots, and D written down from them, each of its rows scaled.
@@ -225,11 +191,7 @@ impl Builder {
                 *c = if self.writer.random.once_in(3) {
                     "0".to_string()
                 } else {
-                    format!(
-                        "{}*{}",
-                        self.writer.decimal(0.2, 0.8),
-                        self.writer.bounded(&names)
-                    )
+                    format!("{}*{}", self.writer.decimal(0.2, 0.8), self.writer.bounded(&names))
                 };
                 equation += &format!(" + {c}*{}", self.v[j]);
             }

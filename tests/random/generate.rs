@@ -37,35 +37,18 @@ pub fn generate(seed: u64, number: usize) -> RandomModel {
     let mut random = SplitMix::new(seed.wrapping_add((number as u64).wrapping_mul(0x1000_0001)));
     random.bits();
     let parameters: Vec<String> = (1..=1 + random.below(3)).map(|i| format!("p{i}")).collect();
-    let values: Vec<String> = parameters
-        .iter()
-        .map(|_| format!("{:.2}", random.between(0.5, 1.5)))
-        .collect();
+    let values: Vec<String> = parameters.iter().map(|_| format!("{:.2}", random.between(0.5, 1.5))).collect();
     let kind = number % KINDS.len();
     let least = if matches!(kind, 5 | 6 | 8) { 2 } else { 1 };
     let n = ((number / KINDS.len() + random.below(2)) % 6 + 1).max(least);
-    let mut model = Builder::new(
-        Writer {
-            random,
-            parameters: parameters.clone(),
-        },
-        n,
-        kind,
-    );
+    let mut model = Builder::new(Writer { random, parameters: parameters.clone() }, n, kind);
     let statements = model.statements();
     let name = format!("Random{number}");
-    let field =
-        |(p, value): (&String, &String)| format!("    #[nominal({value})]\n    pub {p}: f64,\n");
+    let field = |(p, value): (&String, &String)| format!("    #[nominal({value})]\n    pub {p}: f64,\n");
     let fields: String = parameters.iter().zip(&values).map(field).collect();
-    let source = format!(
-        "#[derive(ConstrainedSystem, Clone, Debug)]\n{statements}pub struct {name} {{\n{fields}}}\n"
-    );
+    let source = format!("#[derive(ConstrainedSystem, Clone, Debug)]\n{statements}pub struct {name} {{\n{fields}}}\n");
     model.classes.extend(time_in(&source));
-    RandomModel {
-        name,
-        source,
-        classes: model.classes,
-    }
+    RandomModel { name, source, classes: model.classes }
 }
 
 /// The statements that mention t.
@@ -96,24 +79,10 @@ impl Builder {
     fn new(mut writer: Writer, n: usize, kind: usize) -> Self {
         let x: Vec<String> = (1..=n).map(|i| format!("x{i}")).collect();
         let rheonomic = writer.random.once_in(3);
-        let names = if rheonomic {
-            [x.clone(), vec!["t".to_string()]].concat()
-        } else {
-            x.clone()
-        };
+        let names = if rheonomic { [x.clone(), vec!["t".to_string()]].concat() } else { x.clone() };
         let order = writer.random.shuffled(n);
         let classes = vec![format!("kind: {}", KINDS[kind]), format!("n = {n}")];
-        Self {
-            writer,
-            n,
-            kind,
-            x,
-            v: Vec::new(),
-            names,
-            order,
-            rheonomic,
-            classes,
-        }
+        Self { writer, n, kind, x, v: Vec::new(), names, order, rheonomic, classes }
     }
 
     fn class(&mut self, name: &str, holds: bool) -> bool {
@@ -124,13 +93,8 @@ impl Builder {
     }
 
     fn statements(&mut self) -> String {
-        let directions = [
-            Direction::Rates,
-            Direction::Rates,
-            Direction::FromSpeeds,
-            Direction::FromRates,
-            Direction::Both,
-        ];
+        let directions =
+            [Direction::Rates, Direction::Rates, Direction::FromSpeeds, Direction::FromRates, Direction::Both];
         let direction = *self.writer.random.one_of(&directions);
         self.classes.push(match direction {
             Direction::Rates => "kinematics: v = dot(x)".to_string(),
@@ -139,26 +103,14 @@ impl Builder {
             Direction::Both => "kinematics: both directions".to_string(),
         });
         let own = direction != Direction::Rates;
-        self.v = (1..=self.n)
-            .map(|i| {
-                if own {
-                    format!("v{i}")
-                } else {
-                    format!("dot(x{i})")
-                }
-            })
-            .collect();
+        self.v = (1..=self.n).map(|i| if own { format!("v{i}") } else { format!("dot(x{i})") }).collect();
         let biased = own && direction != Direction::Both && self.writer.random.once_in(3);
         self.class("a0 or b0", biased);
         let dense = self.writer.random.once_in(2);
         let named = dense && self.writer.random.once_in(2);
         self.class(if dense { "M = L Lᵀ" } else { "M diagonal" }, true);
         self.class("define", named);
-        let inputs: Vec<String> = if self.writer.random.once_in(4) {
-            vec!["tau".to_string()]
-        } else {
-            Vec::new()
-        };
+        let inputs: Vec<String> = if self.writer.random.once_in(4) { vec!["tau".to_string()] } else { Vec::new() };
         self.class("inputs", !inputs.is_empty());
         let potential = self.writer.random.once_in(3);
         self.class("potential energy", potential);

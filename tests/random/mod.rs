@@ -2,11 +2,7 @@
 //!
 //! Everything is well conditioned by construction: bounded smooth functions, kinematics and constraints with a dominant pivot,
 //! M = L Lᵀ with a diagonal near one. What is random is the structure.
-#![allow(
-    dead_code,
-    unused_imports,
-    reason = "every test file uses its own part"
-)]
+#![allow(dead_code, unused_imports, reason = "every test file uses its own part")]
 
 mod constraints;
 mod expression;
@@ -24,8 +20,5 @@ pub fn counted(models: &[RandomModel]) -> String {
     for class in models.iter().flat_map(|model| &model.classes) {
         *counts.entry(class.as_str()).or_insert(0) += 1;
     }
-    counts
-        .iter()
-        .map(|(class, count)| format!("{count:5} {class}\n"))
-        .collect()
+    counts.iter().map(|(class, count)| format!("{count:5} {class}\n")).collect()
 }

@@ -29,14 +29,8 @@ impl Writer {
                 0 => (format!("{b}*{x}"), format!("{b}*dot({x})")),
                 1 => (format!("{b}*sin({x})"), format!("{b}*cos({x})*dot({x})")),
                 2 => (format!("{b}*powi({x}, 2)/2"), format!("{b}*{x}*dot({x})")),
-                3 => (
-                    format!("{b}*{x}*{y}"),
-                    format!("{b}*(dot({x})*{y} + {x}*dot({y}))"),
-                ),
-                _ => (
-                    format!("exp({b}*{x})/2"),
-                    format!("{b}*exp({b}*{x})*dot({x})/2"),
-                ),
+                3 => (format!("{b}*{x}*{y}"), format!("{b}*(dot({x})*{y} + {x}*dot({y}))")),
+                _ => (format!("exp({b}*{x})/2"), format!("{b}*exp({b}*{x})*dot({x})/2")),
             };
             add(&mut f, term);
             add(&mut rate, its_rate);
@@ -51,21 +45,11 @@ impl Writer {
     }
 
     /// A velocity row: dominant in the speed of the pivot, small in the others, and with a part without speeds if asked for.
-    pub fn rolling(
-        &mut self,
-        pivot: &str,
-        others: &[String],
-        names: &[String],
-        driven: bool,
-    ) -> String {
+    pub fn rolling(&mut self, pivot: &str, others: &[String], names: &[String], driven: bool) -> String {
         let mut text = match self.random.below(3) {
             0 => pivot.to_string(),
             1 => format!("{}*{pivot}", self.decimal(1.0, 2.0)),
-            _ => format!(
-                "(1.50{}*{})*{pivot}",
-                self.signed(0.1, 0.3),
-                self.bounded(names)
-            ),
+            _ => format!("(1.50{}*{})*{pivot}", self.signed(0.1, 0.3), self.bounded(names)),
         };
         for v in others.iter().take(3) {
             text += &format!("{}*{}*{v}", self.signed(0.1, 0.35), self.bounded(names));

@@ -17,13 +17,7 @@ pub enum Direction {
 
 impl Writer {
     /// The statement for the kinematics, in coordinates `x1..` and speeds `v1..`.
-    pub fn kinematics(
-        &mut self,
-        direction: Direction,
-        x: &[String],
-        names: &[String],
-        biased: bool,
-    ) -> String {
+    pub fn kinematics(&mut self, direction: Direction, x: &[String], names: &[String], biased: bool) -> String {
         let n = x.len();
         let rate = |j: usize| format!("dot({})", x[j]);
         let speed = |j: usize| format!("v{}", j + 1);
@@ -36,21 +30,13 @@ impl Writer {
                 for i in 0..n {
                     let below = (i > 0).then(|| (self.random.below(i.max(1)), self.bounded(names)));
                     let (to, from) = match &below {
-                        Some((j, c)) => (
-                            format!(" + {c}*{}", rate(*j)),
-                            format!(" - {c}*({})", solved[*j]),
-                        ),
+                        Some((j, c)) => (format!(" + {c}*{}", rate(*j)), format!(" - {c}*({})", solved[*j])),
                         None => (String::new(), String::new()),
                     };
                     lines.push(format!("{} = {}{to}", speed(i), rate(i)));
                     solved.push(format!("{}{from}", speed(i)));
                 }
-                lines.extend(
-                    solved
-                        .iter()
-                        .enumerate()
-                        .map(|(i, e)| format!("{} = {e}", rate(i))),
-                );
+                lines.extend(solved.iter().enumerate().map(|(i, e)| format!("{} = {e}", rate(i))));
             }
             Direction::FromSpeeds | Direction::FromRates => {
                 let forward = direction == Direction::FromSpeeds;
@@ -62,20 +48,12 @@ impl Writer {
                     };
                     if n > 1 && !self.random.once_in(3) {
                         let j = (i + 1 + self.random.below(n - 1)) % n;
-                        e += &format!(
-                            "{}*{}*{}",
-                            self.signed(0.1, 0.4),
-                            self.bounded(names),
-                            of(j)
-                        );
+                        e += &format!("{}*{}*{}", self.signed(0.1, 0.4), self.bounded(names), of(j));
                     }
                     if biased {
                         e += &format!("{}*{}", self.signed(0.1, 0.6), self.bounded(names));
                     }
-                    lines.push(format!(
-                        "{} = {e}",
-                        if forward { rate(i) } else { speed(i) }
-                    ));
+                    lines.push(format!("{} = {e}", if forward { rate(i) } else { speed(i) }));
                 }
             }
         }
@@ -97,57 +75,28 @@ impl Writer {
                     (false, 0) => continue,
                     (false, _) => format!("{}*{}", self.decimal(0.1, 0.4), self.bounded(names)),
                 };
-                factor[i][j] = if named {
-                    format!("l{}{}", i + 1, j + 1)
-                } else {
-                    format!("({e})")
-                };
+                factor[i][j] = if named { format!("l{}{}", i + 1, j + 1) } else { format!("({e})") };
                 definitions.push(format!("l{}{} = {e}", i + 1, j + 1));
             }
         }
         let entry = |i: usize, j: usize| {
-            let terms =
-                (0..=i.min(j)).filter(|&k| !factor[i][k].is_empty() && !factor[j][k].is_empty());
-            let terms: Vec<String> = terms
-                .map(|k| format!("{}*{}", factor[i][k], factor[j][k]))
-                .collect();
-            if terms.is_empty() {
-                "0".to_string()
-            } else {
-                terms.join(" + ")
-            }
+            let terms = (0..=i.min(j)).filter(|&k| !factor[i][k].is_empty() && !factor[j][k].is_empty());
+            let terms: Vec<String> = terms.map(|k| format!("{}*{}", factor[i][k], factor[j][k])).collect();
+            if terms.is_empty() { "0".to_string() } else { terms.join(" + ") }
         };
         let row = |i: usize| {
-            let entries: Vec<String> = (0..n)
-                .map(|j| if j < i { "_".to_string() } else { entry(i, j) })
-                .collect();
+            let entries: Vec<String> = (0..n).map(|j| if j < i { "_".to_string() } else { entry(i, j) }).collect();
             format!("    [{}],\n", entries.join(", "))
         };
         let rows: String = (0..n).map(row).collect();
-        let definitions = if named {
-            format!("#[define({})]\n", definitions.join(", "))
-        } else {
-            String::new()
-        };
+        let definitions = if named { format!("#[define({})]\n", definitions.join(", ")) } else { String::new() };
         format!("{definitions}#[inertia(matrix(\n{rows}))]\n")
     }
 
     /// The statement for h*.
-    pub fn forces(
-        &mut self,
-        n: usize,
-        names: &[String],
-        speeds: &[String],
-        inputs: &[String],
-    ) -> String {
+    pub fn forces(&mut self, n: usize, names: &[String], speeds: &[String], inputs: &[String]) -> String {
         let forces: Vec<String> = (0..n)
-            .map(|_| {
-                if self.random.once_in(8) {
-                    "0".to_string()
-                } else {
-                    self.force(names, speeds, inputs)
-                }
-            })
+            .map(|_| if self.random.once_in(8) { "0".to_string() } else { self.force(names, speeds, inputs) })
             .collect();
         format!("#[forces(\n    {},\n)]\n", forces.join(",\n    "))
     }

@@ -17,11 +17,7 @@ pub fn parse(text: &str) -> Value {
 pub fn numbers(value: &Value) -> Vec<f64> {
     match value {
         Value::Array(list) => list.iter().flat_map(numbers).collect(),
-        other => vec![
-            other
-                .as_f64()
-                .unwrap_or_else(|| panic!("not a number: {other}")),
-        ],
+        other => vec![other.as_f64().unwrap_or_else(|| panic!("not a number: {other}"))],
     }
 }
 
@@ -43,10 +39,7 @@ pub fn text(value: &Value) -> &str {
 
 /// The numbers of an object under the given names.
 pub fn picked(value: &Value, names: &[&str]) -> Vec<f64> {
-    names
-        .iter()
-        .flat_map(|name| numbers(&value[*name]))
-        .collect()
+    names.iter().flat_map(|name| numbers(&value[*name])).collect()
 }
 
 /// Requires every entry to be within `relative` times the largest component of what is expected.
@@ -61,21 +54,12 @@ pub fn assert_close(what: &str, computed: &[f64], expected: &[f64], relative: f6
 ///
 /// # Panics
 /// If an entry is not close.
-pub fn assert_close_at(
-    what: &str,
-    computed: &[f64],
-    expected: &[f64],
-    relative: f64,
-    natural: f64,
-) {
+pub fn assert_close_at(what: &str, computed: &[f64], expected: &[f64], relative: f64, natural: f64) {
     assert_eq!(computed.len(), expected.len(), "{what}: number of entries");
     let largest = expected.iter().fold(0.0_f64, |scale, e| scale.max(e.abs()));
     let scale = if largest == 0.0 { natural } else { largest };
     for (i, (c, e)) in computed.iter().zip(expected).enumerate() {
         let error = (c - e).abs();
-        assert!(
-            error <= relative * scale,
-            "{what}[{i}]: {c:e} instead of {e:e}, off by {error:e} at scale {scale:e}"
-        );
+        assert!(error <= relative * scale, "{what}[{i}]: {c:e} instead of {e:e}, off by {error:e} at scale {scale:e}");
     }
 }

@@ -1,6 +1,6 @@
 //! A derived model that runs.
 
-use crate::support::extrapolation::integrate;
+use super::extrapolation::integrate;
 use holonomy::{ConstrainedSystem, Dual, Matrix, Prepared, Scalar, Vector};
 use nalgebra::{DMatrix, DVector};
 
@@ -82,9 +82,7 @@ impl<M: ConstrainedSystem> Running<M> {
     /// If there is none of that name.
     pub fn multiplier(&self, name: &str, t: f64, y: &[f64]) -> f64 {
         let multipliers = self.0.multipliers(t, &self.state(y), &self.no_inputs());
-        multipliers
-            .get(name)
-            .unwrap_or_else(|| panic!("no multiplier {name}"))
+        multipliers.get(name).unwrap_or_else(|| panic!("no multiplier {name}"))
     }
 
     /// Cᵀ λ, every row of C once.
@@ -118,16 +116,9 @@ impl<M: ConstrainedSystem> Running<M> {
             .collect();
         let wanted = DVector::from_column_slice(v) - rest;
         let d = DMatrix::from_columns(&columns);
-        let u = d
-            .clone()
-            .svd(true, true)
-            .solve(&wanted, 1e-12)
-            .expect("both sets of singular vectors");
+        let u = d.clone().svd(true, true).solve(&wanted, 1e-12).expect("both sets of singular vectors");
         let missed = (d * &u - &wanted).amax();
-        assert!(
-            missed <= 1e-12 * wanted.amax().max(1.0),
-            "no speeds give these velocities: {missed:e} off"
-        );
+        assert!(missed <= 1e-12 * wanted.amax().max(1.0), "no speeds give these velocities: {missed:e} off");
         state(u.as_slice())
     }
 
@@ -141,17 +132,10 @@ impl<M: ConstrainedSystem> Running<M> {
     /// # Panics
     /// If the parameters are refused.
     pub fn jacobian(&self, t: f64, y: &[f64]) -> DMatrix<f64> {
-        let prepared = self
-            .0
-            .system()
-            .clone()
-            .prepare_as::<Dual<f64>>()
-            .expect("the parameters are good");
+        let prepared = self.0.system().clone().prepare_as::<Dual<f64>>().expect("the parameters are good");
         let columns: Vec<Vec<f64>> = (0..y.len())
             .map(|j| {
-                let state = M::State::<Dual<f64>>::from_fn(|i| {
-                    Dual::new(y[i], f64::from(u8::from(i == j)))
-                });
+                let state = M::State::<Dual<f64>>::from_fn(|i| Dual::new(y[i], f64::from(u8::from(i == j))));
                 let (rate, _) = prepared.derivative(Dual::constant(t), &state, &self.no_inputs());
                 entries(&rate).iter().map(|e| e.derivative).collect()
             })
