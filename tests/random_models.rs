@@ -5,7 +5,7 @@ mod random;
 mod support;
 
 use oracle::{System, closed, onto_velocity_rows, read_models};
-use random::{KINDS, RandomModel, counted, generate};
+use random::{KINDS, RandomModel, counted, crate_text, generate};
 use support::splitmix::SplitMix;
 
 /// How many models go through the engine.
@@ -55,4 +55,16 @@ fn every_model_has_a_motion() {
     }
     println!("largest condition of (2.8): {worst:.1e}");
     assert!(worst < 1e6);
+}
+
+/// The models that tests/random_compiled.rs derives; `HOLONOMY_BLESS=1` writes the file anew.
+#[test]
+fn the_committed_models_are_the_generated_ones() {
+    let text = crate_text(&(0..50).map(|number| generate(23, number)).collect::<Vec<_>>());
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/random_models.rs");
+    if std::env::var_os("HOLONOMY_BLESS").is_some() {
+        std::fs::write(path, &text).expect("the file is written");
+    }
+    let committed = std::fs::read_to_string(path).expect("the file is there");
+    assert!(text == committed, "{path} is out of date: run this test with HOLONOMY_BLESS=1");
 }

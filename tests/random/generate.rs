@@ -28,6 +28,8 @@ pub struct RandomModel {
     pub name: String,
     /// The struct with its attributes.
     pub source: String,
+    /// Its parameters, in the order of the fields.
+    pub parameters: Vec<String>,
     /// The classes that it belongs to.
     pub classes: Vec<String>,
 }
@@ -48,7 +50,7 @@ pub fn generate(seed: u64, number: usize) -> RandomModel {
     let fields: String = parameters.iter().zip(&values).map(field).collect();
     let source = format!("#[derive(ConstrainedSystem, Clone, Debug)]\n{statements}pub struct {name} {{\n{fields}}}\n");
     model.classes.extend(time_in(&source));
-    RandomModel { name, source, classes: model.classes }
+    RandomModel { name, source, parameters, classes: model.classes }
 }
 
 /// The statements that mention t.

@@ -5,11 +5,13 @@
 #![allow(dead_code, unused_imports, reason = "every test file uses its own part")]
 
 mod constraints;
+mod crate_text;
 mod expression;
 mod generate;
 mod rows;
 mod statements;
 
+pub use crate_text::crate_text;
 pub use generate::{KINDS, RandomModel, generate};
 
 use std::collections::BTreeMap;
