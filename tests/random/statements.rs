@@ -67,17 +67,27 @@ impl Writer {
             return format!("#[inertia(diag({}))]\n", masses.join(", "));
         }
         let mut definitions = Vec::new();
-        let mut factor = vec![vec![String::new(); n]; n];
+        // the columns of each row of L, empty where L has a zero
+        let mut factor: Vec<Vec<String>> = Vec::new();
         for i in 0..n {
+            let mut row = Vec::new();
             for j in 0..=i {
                 let e = match (i == j, self.random.below(3)) {
                     (true, _) => self.positive(names),
-                    (false, 0) => continue,
+                    (false, 0) => String::new(),
                     (false, _) => format!("{}*{}", self.decimal(0.1, 0.4), self.bounded(names)),
                 };
-                factor[i][j] = if named { format!("l{}{}", i + 1, j + 1) } else { format!("({e})") };
-                definitions.push(format!("l{}{} = {e}", i + 1, j + 1));
+                let name = format!("l{}{}", i + 1, j + 1);
+                row.push(match (e.is_empty(), named) {
+                    (true, _) => String::new(),
+                    (false, true) => name.clone(),
+                    (false, false) => format!("({e})"),
+                });
+                if !e.is_empty() {
+                    definitions.push(format!("{name} = {e}"));
+                }
             }
+            factor.push(row);
         }
         let entry = |i: usize, j: usize| {
             let terms = (0..=i.min(j)).filter(|&k| !factor[i][k].is_empty() && !factor[j][k].is_empty());
