@@ -3,7 +3,6 @@
 //! The result is a list in which operands stand before what uses them, so that everything that
 //! reads an expression is a loop.
 
-use num_rational::BigRational;
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::parse::{ParseStream, Parser};
@@ -12,6 +11,7 @@ use syn::{BinOp, Expr, ExprUnary, UnOp, parenthesized};
 use super::diagnostics::{Diagnostics, Place, messages};
 use super::refusal::refusal;
 use super::{nesting, number};
+use crate::symbolic::Rational;
 
 /// An expression in postfix order; the last term is the whole.
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ pub struct Expression {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Term {
     /// A literal.
-    Number(BigRational),
+    Number(Rational),
     /// A name.
     Name(String),
     /// `-a`

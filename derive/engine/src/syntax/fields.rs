@@ -135,14 +135,14 @@ fn unit(expression: &Expression, diagnostics: &mut Diagnostics) -> Option<Unit> 
         None
     };
     // The value of each term: factors of a unit, or the whole number that is an exponent.
-    let mut values: Vec<(Vec<(String, i32)>, Option<i32>)> = Vec::new();
+    type Factors = Vec<(String, i32)>;
+    let mut values: Vec<(Factors, Option<i32>)> = Vec::new();
     for (term, span) in expression.terms() {
         let value = match term {
             Term::Name(name) => (vec![(name.clone(), 1)], None),
             Term::Number(number) => {
-                let Ok(whole) = number.to_string().parse::<i32>() else {
-                    return refused(diagnostics, *span);
-                };
+                let whole = number.as_integer().and_then(|whole| i32::try_from(whole).ok());
+                let Some(whole) = whole else { return refused(diagnostics, *span) };
                 (Vec::new(), Some(whole))
             }
             Term::Hole => return None,

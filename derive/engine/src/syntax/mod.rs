@@ -20,8 +20,8 @@ mod tests;
 use proc_macro2::TokenStream;
 
 pub use declarations::*;
-pub(crate) use diagnostics::messages;
 pub use diagnostics::{Diagnostic, Diagnostics, Place, nearest};
+pub(crate) use diagnostics::{did_you_mean, messages};
 pub use expression::{Expression, Operator, Term};
 pub use statements::{FIELD_STATEMENTS, PLANNED_STATEMENTS, STATEMENTS, helper_attributes};
 

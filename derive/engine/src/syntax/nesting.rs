@@ -61,7 +61,7 @@ pub(crate) fn check_expression(expression: &[TokenTree]) -> Result<(), Diagnosti
             }
             TokenTree::Punct(punct) => {
                 foreign += usize::from(!"+-*/,".contains(punct.as_char()));
-                level.run = level.after_operator.then(|| level.run + 1).unwrap_or_default();
+                level.run = if level.after_operator { level.run + 1 } else { 0 };
                 level.after_operator = true;
                 level.after_group = false;
             }

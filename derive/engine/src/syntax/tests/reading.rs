@@ -2,6 +2,7 @@ use quote::ToTokens;
 
 use super::super::*;
 use super::declarations;
+use crate::symbolic::Rational;
 
 fn names(names: &[Name]) -> Vec<String> {
     names.iter().map(|name| name.ident.to_string()).collect()
@@ -90,7 +91,7 @@ fn expressions_lie_in_postfix_order() {
     let model = declarations("#[forces(a - -b*atan2(c, 1/2))] struct Model;");
     let forces = model.forces.unwrap();
     let name = |name: &str| Term::Name(name.to_owned());
-    let number = |number: i64| Term::Number(num_rational::BigRational::from_integer(number.into()));
+    let number = |number: i64| Term::Number(Rational::integer(number));
     let terms: Vec<Term> = forces.entries[0].terms().iter().map(|(term, _)| term.clone()).collect();
     let expected = [
         name("a"),
