@@ -23,7 +23,7 @@ fn random_systems_agree_with_the_oracle() {
         let declared = read_models(&model.source).remove(0);
         let tokens = model.source.parse().expect("tokens");
         let equations = match holonomy_engine::analyse(tokens) {
-            Ok(equations) => equations,
+            Ok(analysis) => analysis.equations,
             Err(refusal) => {
                 failures.push(format!("{} was refused: {refusal:?}\n{}", model.name, model.source));
                 continue;

@@ -7,32 +7,18 @@ use holonomy::{Dual, State};
 use models::*;
 
 fn bead() -> Prepared<Bead> {
-    Bead {
-        m: 1.5,
-        w: 0.8,
-        g: 9.81,
-    }
-    .prepare()
-    .unwrap()
+    Bead { m: 1.5, w: 0.8, g: 9.81 }.prepare().unwrap()
 }
 
 /// The bead on its rod at a distance, with a speed along the rod.
 fn on_rod(t: f64, distance: f64, speed: f64) -> BeadState {
     let (sin, cos) = (0.8 * t).sin_cos();
-    BeadState {
-        x: distance * cos,
-        y: distance * sin,
-        dot_x: speed * cos - distance * 0.8 * sin,
-    }
+    BeadState { x: distance * cos, y: distance * sin, dot_x: speed * cos - distance * 0.8 * sin }
 }
 
 #[test]
 fn names_find_entries() {
-    let s = State::<Pendulum> {
-        x: 0.3,
-        y: -0.4,
-        dot_x: 0.7,
-    };
+    let s = State::<Pendulum> { x: 0.3, y: -0.4, dot_x: 0.7 };
     assert_eq!(s.get("dot_x"), Some(0.7));
     assert_eq!(s.get("dot_y"), None);
     assert_eq!(<PendulumState as Vector<f64>>::NAMES, ["x", "y", "dot_x"]);
@@ -41,14 +27,7 @@ fn names_find_entries() {
 #[test]
 fn parameters_are_kept() {
     let model = bead();
-    assert_eq!(
-        *model.parameters(),
-        BeadParameters {
-            m: 1.5,
-            w: 0.8,
-            g: 9.81
-        }
-    );
+    assert_eq!(*model.parameters(), BeadParameters { m: 1.5, w: 0.8, g: 9.81 });
     assert_eq!(model.system().g, 9.81);
     assert!(format!("{model:?}").contains("Bead"));
 }
@@ -57,12 +36,7 @@ fn parameters_are_kept() {
 fn residuals_vanish_on_the_manifold_and_only_there() {
     let (model, t) = (bead(), 0.6);
     let s = on_rod(t, 1.2, 0.3);
-    assert!(
-        model
-            .position_residual_at(t, &s)
-            .iter()
-            .all(|f| f.abs() < 1e-15)
-    );
+    assert!(model.position_residual_at(t, &s).iter().all(|f| f.abs() < 1e-15));
     assert!(model.velocity_residual_at(t, &s)[0].abs() < 1e-15);
     let off = BeadState { y: s.y + 0.1, ..s };
     assert!((model.position_residual_at(t, &off)[0] - 0.1 * (0.48f64).cos()).abs() < 1e-15);
@@ -81,18 +55,9 @@ fn velocity_rates_are_the_derivative_of_the_velocities_along_the_motion() {
     let (model, t) = (bead(), 0.6);
     let s = on_rod(t, 1.2, 0.3);
     let (rate, _) = model.derivative(t, &s, &[]);
-    let dual = Bead {
-        m: 1.5,
-        w: 0.8,
-        g: 9.81,
-    }
-    .prepare_as::<Dual>()
-    .unwrap();
-    let along = BeadState {
-        x: Dual::new(s.x, rate.x),
-        y: Dual::new(s.y, rate.y),
-        dot_x: Dual::new(s.dot_x, rate.dot_x),
-    };
+    let dual = Bead { m: 1.5, w: 0.8, g: 9.81 }.prepare_as::<Dual>().unwrap();
+    let along =
+        BeadState { x: Dual::new(s.x, rate.x), y: Dual::new(s.y, rate.y), dot_x: Dual::new(s.dot_x, rate.dot_x) };
     let expected = dual.velocities(Dual::variable(t), &along);
     let found = model.velocity_rates(t, &s, &[]);
     assert!((found.dot_x - expected.dot_x.derivative).abs() < 1e-13);

@@ -10,8 +10,7 @@ use models::*;
 fn sample<T: Scalar>(x: T) -> T {
     let (sin, cos) = (x * x).sin_cos();
     let root = (x + T::from_f64(2.0)).sqrt();
-    sin.atan2(cos + T::from_f64(2.0)) * root.exp() / (x - T::from_f64(5.0))
-        - (-x + T::from_f64(3.0)).ln()
+    sin.atan2(cos + T::from_f64(2.0)) * root.exp() / (x - T::from_f64(5.0)) - (-x + T::from_f64(3.0)).ln()
 }
 
 #[test]
@@ -23,10 +22,7 @@ fn first_derivatives_agree_with_differences() {
         let expected = (4.0 * difference(h / 2.0) - difference(h)) / 3.0;
         let dual = sample(Dual::variable(x));
         assert_eq!(dual.value, sample(x));
-        assert!(
-            (dual.derivative - expected).abs() < 1e-9 * (1.0 + expected.abs()),
-            "at {x}"
-        );
+        assert!((dual.derivative - expected).abs() < 1e-9 * (1.0 + expected.abs()), "at {x}");
     }
 }
 
@@ -38,34 +34,19 @@ fn nested_derivatives_agree_with_differences_of_the_first() {
         let expected = (first(x + h) - first(x - h)) / (2.0 * h);
         let dual = sample(Dual::variable(Dual::variable(x)));
         assert_eq!(dual.value.derivative, dual.derivative.value);
-        assert!(
-            (dual.derivative.derivative - expected).abs() < 1e-7 * (1.0 + expected.abs()),
-            "at {x}"
-        );
+        assert!((dual.derivative.derivative - expected).abs() < 1e-7 * (1.0 + expected.abs()), "at {x}");
     }
 }
 
 #[test]
 fn duals_go_through_a_model() {
-    let pendulum = Pendulum {
-        m: 2.0,
-        l: 0.5,
-        g: 9.81,
-    };
+    let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 };
     let plain = pendulum.clone().prepare().unwrap();
     let dual = pendulum.prepare_as::<Dual>().unwrap();
-    let s = PendulumState {
-        x: 0.3,
-        y: -0.4,
-        dot_x: 0.7,
-    };
+    let s = PendulumState { x: 0.3, y: -0.4, dot_x: 0.7 };
     let h = 1e-6;
     let at = |dx: f64| plain.accelerations(0.0, &PendulumState { x: s.x + dx, ..s }, &[])[0];
-    let seeded = PendulumState {
-        x: Dual::variable(s.x),
-        y: Dual::constant(s.y),
-        dot_x: Dual::constant(s.dot_x),
-    };
+    let seeded = PendulumState { x: Dual::variable(s.x), y: Dual::constant(s.y), dot_x: Dual::constant(s.dot_x) };
     let slope = dual.accelerations(Dual::default(), &seeded, &[])[0].derivative;
     assert!((slope - (at(h) - at(-h)) / (2.0 * h)).abs() < 1e-6 * slope.abs());
 }
@@ -80,23 +61,11 @@ fn finiteness_includes_derivatives() {
 
 #[test]
 fn single_precision_agrees_to_its_rounding() {
-    let pendulum = Pendulum {
-        m: 2.0,
-        l: 0.5,
-        g: 9.81,
-    };
+    let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 };
     let double = pendulum.clone().prepare().unwrap();
     let single = pendulum.prepare_as::<f32>().unwrap();
-    let s = PendulumState {
-        x: 0.3,
-        y: -0.4,
-        dot_x: 0.7,
-    };
-    let t = PendulumState {
-        x: 0.3f32,
-        y: -0.4,
-        dot_x: 0.7,
-    };
+    let s = PendulumState { x: 0.3, y: -0.4, dot_x: 0.7 };
+    let t = PendulumState { x: 0.3f32, y: -0.4, dot_x: 0.7 };
     let (rate, guards) = single.derivative(0.0, &t, &[]);
     let (expected, _) = double.derivative(0.0, &s, &[]);
     assert!((f64::from(rate.dot_x) - expected.dot_x).abs() < 1e-5);

@@ -23,11 +23,7 @@ pub(super) fn solve(
         return Ok(right);
     }
     let columns = equilibrate(&mut matrix, &mut right);
-    if matrix
-        .iter()
-        .chain(right.iter())
-        .any(|entry| !entry.is_finite())
-    {
+    if matrix.iter().chain(right.iter()).any(|entry| !entry.is_finite()) {
         return Err(Error::NonFinite { name });
     }
     let lu = matrix.full_piv_lu();
@@ -38,20 +34,10 @@ pub(super) fn solve(
         largest = largest.max(pivot.abs());
     }
     if smallest <= SINGULAR * n as f64 * largest {
-        let pivot = if largest > 0.0 {
-            smallest / largest
-        } else {
-            0.0
-        };
-        return Err(Error::SingularMatrix {
-            matrix: name,
-            pivot,
-        });
+        let pivot = if largest > 0.0 { smallest / largest } else { 0.0 };
+        return Err(Error::SingularMatrix { matrix: name, pivot });
     }
-    let singular = Error::SingularMatrix {
-        matrix: name,
-        pivot: 0.0,
-    };
+    let singular = Error::SingularMatrix { matrix: name, pivot: 0.0 };
     let mut solution = lu.solve(&right).ok_or(singular)?;
     for (i, scale) in columns.iter().enumerate() {
         solution.row_mut(i).scale_mut(*scale);
@@ -65,8 +51,7 @@ fn equilibrate(matrix: &mut DMatrix<f64>, right: &mut DMatrix<f64>) -> alloc::ve
     let mut columns = alloc::vec![1.0; n];
     for _ in 0..ROUNDS {
         let rows: alloc::vec::Vec<f64> = (0..n).map(|i| factor(matrix.row(i).amax())).collect();
-        let scales: alloc::vec::Vec<f64> =
-            (0..n).map(|j| factor(matrix.column(j).amax())).collect();
+        let scales: alloc::vec::Vec<f64> = (0..n).map(|j| factor(matrix.column(j).amax())).collect();
         for (i, scale) in rows.iter().enumerate() {
             matrix.row_mut(i).scale_mut(*scale);
             right.row_mut(i).scale_mut(*scale);

@@ -68,11 +68,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
 
     /// The rate and the guards at one state, outside of the loop.
     #[inline(never)]
-    pub(super) fn evaluate(
-        &mut self,
-        t: f64,
-        y: &StateArray<M>,
-    ) -> (StateArray<M>, M::Guards<f64>) {
+    pub(super) fn evaluate(&mut self, t: f64, y: &StateArray<M>) -> (StateArray<M>, M::Guards<f64>) {
         self.evaluations += 1;
         let s = (*y).into();
         let inputs = self.source.inputs(t, &s);
@@ -81,31 +77,18 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
     }
 
     /// Why the run broke down between a regular state and a later time.
-    pub(super) fn diagnose(
-        &mut self,
-        (t, next): (f64, f64),
-        y: &StateArray<M>,
-        broken: &StateArray<M>,
-    ) -> Error {
+    pub(super) fn diagnose(&mut self, (t, next): (f64, f64), y: &StateArray<M>, broken: &StateArray<M>) -> Error {
         let s = (*y).into();
-        if let Some(error) = self
-            .watch
-            .suspect(t, self.model.guards(t, &s).into().as_ref())
-        {
+        if let Some(error) = self.watch.suspect(t, self.model.guards(t, &s).into().as_ref()) {
             return error;
         }
         for at in [t, next] {
             let inputs = self.source.inputs(at, &s).into();
             if let Some(at) = inputs.as_ref().iter().position(|input| !input.is_finite()) {
-                return Error::NonFinite {
-                    name: M::MODEL.inputs.get(at).copied().unwrap_or("input"),
-                };
+                return Error::NonFinite { name: M::MODEL.inputs.get(at).copied().unwrap_or("input") };
             }
         }
-        Error::Diverged {
-            name: first_non_finite::<M>(&(*broken).into()).unwrap_or("derivative"),
-            time: t,
-        }
+        Error::Diverged { name: first_non_finite::<M>(&(*broken).into()).unwrap_or("derivative"), time: t }
     }
 
     /// Brings a state back onto the position constraints, and tells whether it was moved.
@@ -140,11 +123,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
         let (span, direction) = ((plan.end - plan.start).abs(), plan.direction());
         let size = tolerance.norm(y.as_ref(), y.as_ref());
         let slope = tolerance.norm(k.as_ref(), y.as_ref());
-        let mut h = if size < 1e-5 || slope < 1e-5 {
-            1e-6 * span
-        } else {
-            0.01 * size / slope
-        };
+        let mut h = if size < 1e-5 || slope < 1e-5 { 1e-6 * span } else { 0.01 * size / slope };
         h = h.min(span);
         let mut ahead = *y;
         for (y, k) in ahead.as_mut().iter_mut().zip(k.as_ref()) {
@@ -156,16 +135,9 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
         }
         let curvature = tolerance.norm(change.as_ref(), y.as_ref()) / h;
         let steepest = slope.max(curvature);
-        let second = if steepest <= 1e-15 {
-            (1e-3 * h).max(1e-6 * span)
-        } else {
-            pow(0.01 / steepest, 1.0 / f64::from(order))
-        };
-        let h = if second.is_finite() {
-            second.min(100.0 * h)
-        } else {
-            h
-        };
+        let second =
+            if steepest <= 1e-15 { (1e-3 * h).max(1e-6 * span) } else { pow(0.01 / steepest, 1.0 / f64::from(order)) };
+        let h = if second.is_finite() { second.min(100.0 * h) } else { h };
         h.min(span)
     }
 }
@@ -189,11 +161,7 @@ pub(super) fn dense_output<A: AsRef<[f64]> + AsMut<[f64]> + Copy, const S: usize
         out[2].as_mut()[i] = bend;
         out[3].as_mut()[i] = rise - h * last[i] - bend;
         for (weights, out) in tableau.dense.iter().zip(&mut out[4..]) {
-            let sum: f64 = weights
-                .iter()
-                .zip(k)
-                .map(|(weight, k)| weight * k.as_ref()[i])
-                .sum();
+            let sum: f64 = weights.iter().zip(k).map(|(weight, k)| weight * k.as_ref()[i]).sum();
             out.as_mut()[i] = h * sum;
         }
     }

@@ -50,11 +50,7 @@ impl Plan {
             }
             Pace::Adaptive { .. } => (t + self.direction() * size, REMAINDER),
         };
-        if (self.end - next) * self.direction() <= remainder * size {
-            self.end
-        } else {
-            next
-        }
+        if (self.end - next) * self.direction() <= remainder * size { self.end } else { next }
     }
 
     /// The time of the output after `count` ones; none where every step is kept.
@@ -130,8 +126,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
             if h.abs() <= 4.0 * f64::EPSILON * t.abs() || h == 0.0 {
                 return Err(self.too_small(h, *t, y));
             }
-            let (mut ahead, mut guards) =
-                self.stages(tableau, 1..tableau.stages, (*t, h), y, &mut k);
+            let (mut ahead, mut guards) = self.stages(tableau, 1..tableau.stages, (*t, h), y, &mut k);
             let regular = finite(&ahead) && finite(&k[last]);
             match plan.pace {
                 Pace::Adaptive { tolerance, longest } => {

@@ -15,41 +15,23 @@ const END: f64 = 4.0;
 
 /// A nonlinear oscillator that time drives in two ways.
 fn model() -> Prepared<Oscillator> {
-    let oscillator = Oscillator {
-        m: 1.3,
-        a: 0.1,
-        k: 2.0,
-        c: 0.7,
-        b: 0.6,
-    };
+    let oscillator = Oscillator { m: 1.3, a: 0.1, k: 2.0, c: 0.7, b: 0.6 };
     oscillator.prepare().unwrap()
 }
 
 fn run<const S: usize>(tableau: &Tableau<S>, pace: Pace) -> Trajectory<Oscillator> {
     let model = model();
-    let start = OscillatorState {
-        x: 0.8,
-        dot_x: -0.3,
-    };
+    let start = OscillatorState { x: 0.8, dot_x: -0.3 };
     let mut trajectory = Trajectory::new(0.0, start);
     let mut course = Course {
         model: &model,
-        source: |t: f64, s: &OscillatorState| OscillatorInputs {
-            tau: 0.3 * (3.0 * t).cos() - 0.1 * s.dot_x,
-        },
+        source: |t: f64, s: &OscillatorState| OscillatorInputs { tau: 0.3 * (3.0 * t).cos() - 0.1 * s.dot_x },
         watch: Watch::new(&model, 0.0, &start).unwrap(),
         manifold: None,
         progress: None,
         evaluations: 0,
     };
-    let plan = Plan {
-        start: 0.0,
-        end: END,
-        pace,
-        every: None,
-        dense: true,
-        max_steps: 1_000_000,
-    };
+    let plan = Plan { start: 0.0, end: END, pace, every: None, dense: true, max_steps: 1_000_000 };
     course.run(tableau, &plan, &mut trajectory).unwrap();
     trajectory
 }
@@ -71,10 +53,7 @@ fn errors<const S: usize>(tableau: &Tableau<S>, steps: &[f64]) -> Vec<(f64, f64)
             let t = END * f64::from(i) / 4000.0;
             distance(&found.at(t).unwrap(), &exact.at(t).unwrap())
         });
-        (
-            distance(found.last().1, exact.last().1),
-            between.fold(0.0, f64::max),
-        )
+        (distance(found.last().1, exact.last().1), between.fold(0.0, f64::max))
     };
     steps.iter().map(error).collect()
 }
@@ -85,14 +64,8 @@ fn check<const S: usize>(tableau: &Tableau<S>, steps: &[f64], order: f64, dense_
         let halvings = (steps[0] / steps[1]).log2();
         let measured = (pair[0].0 / pair[1].0).log2() / halvings;
         let dense = (pair[0].1 / pair[1].1).log2() / halvings;
-        assert!(
-            (order - 0.5..order + 1.2).contains(&measured),
-            "order {measured}, {errors:?}"
-        );
-        assert!(
-            (dense_order - 0.5..dense_order + 1.7).contains(&dense),
-            "dense order {dense}, {errors:?}"
-        );
+        assert!((order - 0.5..order + 1.2).contains(&measured), "order {measured}, {errors:?}");
+        assert!((dense_order - 0.5..dense_order + 1.7).contains(&dense), "dense order {dense}, {errors:?}");
     }
 }
 
@@ -142,26 +115,16 @@ fn follows<const S: usize>(tableau: &Tableau<S>) {
     for exponent in [4, 6, 8, 10, 12] {
         let tolerance = 10f64.powi(-exponent);
         let pace = Pace::Adaptive {
-            tolerance: Tolerance {
-                relative: tolerance,
-                absolute: tolerance,
-            },
+            tolerance: Tolerance { relative: tolerance, absolute: tolerance },
             longest: f64::INFINITY,
         };
         let found = run(tableau, pace);
         let error = distance(found.last().1, exact.last().1);
         assert!(error < 30.0 * tolerance, "{error:e} for {tolerance:e}");
         let steps = found.statistics().accepted;
-        assert!(
-            found.statistics().rejected <= 2 + steps / 4,
-            "{:?}",
-            found.statistics()
-        );
+        assert!(found.statistics().rejected <= 2 + steps / 4, "{:?}", found.statistics());
         let growth = 100f64.powf(1.0 / f64::from(tableau.order));
-        assert!(
-            last == 0 || (steps as f64) < 1.6 * growth * last as f64,
-            "{steps} after {last}"
-        );
+        assert!(last == 0 || (steps as f64) < 1.6 * growth * last as f64, "{steps} after {last}");
         last = steps;
     }
 }
