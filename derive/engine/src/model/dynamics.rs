@@ -63,37 +63,34 @@ fn symmetric(entries: &[Vec<Entry>], vocabulary: &Vocabulary<'_>, diagnostics: &
     let n = entries.len();
     let mut matrix = Matrix::zeros(graph, n, n);
     let mut sound = true;
-    for i in 0..n {
-        for j in 0..=i {
-            let value = match (entries[i][j], entries[j][i]) {
-                (Entry::Refused, _) | (_, Entry::Refused) => None,
-                (Entry::Symmetric(span), Entry::Symmetric(_)) => {
-                    let message =
-                        if i == j { messages::underscore_on_diagonal() } else { messages::underscore_twice() };
-                    diagnostics.report(span, message);
+    for (i, j) in (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))) {
+        let value = match (entries[i][j], entries[j][i]) {
+            (Entry::Refused, _) | (_, Entry::Refused) => None,
+            (Entry::Symmetric(span), Entry::Symmetric(_)) => {
+                let message = if i == j { messages::underscore_on_diagonal() } else { messages::underscore_twice() };
+                diagnostics.report(span, message);
+                None
+            }
+            (Entry::Given(value, _), Entry::Symmetric(_)) | (Entry::Symmetric(_), Entry::Given(value, _)) => {
+                Some(value)
+            }
+            (Entry::Given(below, place), Entry::Given(above, _)) => {
+                if graph.identical(below, above) {
+                    Some(above)
+                } else {
+                    let (row, column) = (j + 1, i + 1);
+                    let (above, below) = (graph.display(above), graph.display(below));
+                    diagnostics.report(place, messages::not_symmetric(row, column, above, below));
                     None
                 }
-                (Entry::Given(value, _), Entry::Symmetric(_)) | (Entry::Symmetric(_), Entry::Given(value, _)) => {
-                    Some(value)
-                }
-                (Entry::Given(below, place), Entry::Given(above, _)) => {
-                    if graph.identical(below, above) {
-                        Some(above)
-                    } else {
-                        let (row, column) = (j + 1, i + 1);
-                        let (above, below) = (graph.display(above), graph.display(below));
-                        diagnostics.report(place, messages::not_symmetric(row, column, above, below));
-                        None
-                    }
-                }
-            };
-            match value {
-                Some(value) => {
-                    matrix.set(i, j, value);
-                    matrix.set(j, i, value);
-                }
-                None => sound = false,
             }
+        };
+        match value {
+            Some(value) => {
+                matrix.set(i, j, value);
+                matrix.set(j, i, value);
+            }
+            None => sound = false,
         }
     }
     sound.then_some(matrix)

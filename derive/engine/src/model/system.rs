@@ -1,133 +1,106 @@
-//! The initial system: kinematics (2.1), (2.2), dynamics (2.3) and constraints.
-
-use proc_macro2::Span;
+//! The initial system: what a model declares, as expressions.
 
 use crate::symbolic::{Expr, Graph, Matrix, Symbol};
-use crate::syntax::Place;
+use proc_macro2::Span;
 
-/// A model with its names resolved: n coordinates x and n speeds v that nothing ties yet, and the rows that will.
-///
-/// Every expression is over [`Graph`]'s symbols; rates `dot(x)` are replaced by A v + a0.
+/// A constraint-free system with the constraints that are to bind it: ẋ = A v + a0 (2.1), M v̇ = h* (2.3), rows f or φ.
 #[derive(Clone, Debug)]
 pub struct InitialSystem {
     /// The arena of all expressions.
     pub graph: Graph,
     /// t.
     pub time: Symbol,
-    /// The fields that the model mentions, in the order of the fields.
+    /// Parameters that the equations use, in the order of the fields.
     pub parameters: Vec<Symbol>,
-    /// The inputs.
+    /// Inputs.
     pub inputs: Vec<Symbol>,
-    /// x, the initial coordinates, n of them.
+    /// x, n of them.
     pub coordinates: Vec<Symbol>,
-    /// v, n of them; named `dot_x` where the model does not name them.
+    /// v, n of them; `dot_<x>` where the model names no speeds.
     pub speeds: Vec<Symbol>,
-    /// (2.1), (2.2).
+    /// Both directions of the kinematics.
     pub kinematics: Kinematics,
-    /// M of (2.3), n x n, symmetric.
+    /// M, n x n, symmetric.
     pub inertia: Matrix,
-    /// h* of (2.3), n.
+    /// The statement that gives M.
+    pub inertia_span: Span,
+    /// h*, n.
     pub forces: Vec<Expr>,
-    /// V, where the model gives it.
+    /// V(x, t), for reports of the energy.
     pub potential: Option<Expr>,
-    /// The constraints in order.
+    /// The constraints, in the order of declaration.
     pub rows: Vec<Row>,
-    /// x = g(q, t) (4.2), where the model gives it.
+    /// x = g(q, t) (4.2).
     pub configuration: Option<Configuration>,
-    /// The independent speeds that the model asks for.
-    pub independent: Option<Vec<IndependentSpeed>>,
-    /// D of (3.1) by rows, where the model gives it.
+    /// The independent speeds that the model names: expressions in v, or in q̇ where there is a configuration.
+    pub independent: Option<Vec<(Expr, Span)>>,
+    /// The statement that names them.
+    pub independent_span: Span,
+    /// D, row by row, as the model gives it.
     pub complement: Option<Vec<ComplementRow>>,
-    /// Where statements about the whole begin, for errors.
-    pub places: Places,
-    /// Numbers for judging, from `start`: coordinates and speeds.
+    /// The statement that gives D.
+    pub complement_span: Span,
+    /// Values of coordinates and speeds for judging (`start`). They never enter emitted arithmetic.
     pub start: Vec<(Symbol, f64)>,
-    /// Numbers for judging, from `nominal`: parameters.
+    /// Values of parameters for judging (`nominal`).
     pub nominal: Vec<(Symbol, f64)>,
 }
 
-/// Both directions of the kinematics.
+/// ẋ = A v + a0 (2.1) and v = B ẋ + b0 (2.2).
 #[derive(Clone, Debug)]
 pub struct Kinematics {
-    /// A(x, t), n x n: ẋ = A v + a0 (2.1).
+    /// A, n x n.
     pub a: Matrix,
-    /// a0(x, t), n.
+    /// a0, n.
     pub a0: Vec<Expr>,
-    /// B(x, t), n x n: v = B ẋ + b0 (2.2).
+    /// B = A⁻¹, n x n.
     pub b: Matrix,
-    /// b0(x, t), n.
+    /// b0 = -A⁻¹ a0, n.
     pub b0: Vec<Expr>,
-    /// What must not vanish for the inverse to exist: factors of the pivots that are not numbers.
+    /// What must not vanish for the inverse to exist: the factors of the inversion's divisors that are not numbers.
     pub pivots: Vec<Expr>,
 }
 
 /// A constraint.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Its name, and that of its multiplier.
+    /// Its name.
     pub name: String,
-    /// The name's place.
+    /// Its name in the model.
     pub span: Span,
-    /// What it binds.
+    /// Left minus right side, by kind.
     pub kind: RowKind,
 }
 
-/// What a constraint binds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What a constraint binds, read off what it mentions.
+#[derive(Copy, Clone, Debug)]
 pub enum RowKind {
-    /// f(x, t) = 0.
+    /// f(x, t).
     Position(Expr),
-    /// φ(v, x, t) = 0, linear in v.
+    /// φ(v, x, t), linear in v; rates of coordinates stand as A v + a0.
     Velocity(Expr),
 }
 
-/// x = g(q, t) (4.2).
+/// x = g(q, t).
 #[derive(Clone, Debug)]
 pub struct Configuration {
-    /// q: the initial coordinates that are not given by others, then the further ones.
+    /// q.
     pub coordinates: Vec<Symbol>,
-    /// q̇, named `dot_q`.
+    /// q̇, named `dot_<q>`.
     pub rates: Vec<Symbol>,
     /// g, one for each x.
     pub map: Vec<Expr>,
-    /// The statement's place.
+    /// The statement.
     pub span: Span,
-}
-
-/// A speed that the model wants to be independent.
-#[derive(Clone, Debug)]
-pub struct IndependentSpeed {
-    /// Its name in the state: the speed's own, or `dot_x`.
-    pub name: String,
-    /// The speed, in v; in the rates q̇ where there is a configuration.
-    pub expr: Expr,
-    /// Its place in the list.
-    pub place: Place,
 }
 
 /// A row of D.
 #[derive(Clone, Debug)]
 pub struct ComplementRow {
-    /// The name of the row's speed u.
+    /// The name of its speed.
     pub name: String,
-    /// The entries: n, one for each v; where there is a configuration, one for each q̇.
+    /// Its n entries.
     pub entries: Vec<Expr>,
-    /// The name's place.
+    /// Where it stands.
     pub span: Span,
-}
-
-/// Places for errors about a whole statement. Where the model does not make the statement, the place is the name of
-/// the struct.
-#[derive(Clone, Copy, Debug)]
-pub struct Places {
-    /// The struct's name.
-    pub model: Span,
-    /// `kinematics`
-    pub kinematics: Span,
-    /// `inertia`
-    pub inertia: Span,
-    /// `independent`
-    pub independent: Span,
-    /// `complement`
-    pub complement: Span,
 }
