@@ -3,10 +3,9 @@
 use super::dynamics::counted;
 use super::lower::{Context, Vocabulary};
 use super::names::Meaning;
-use super::system::{ComplementRow, Configuration, Kinematics};
+use super::system::{ComplementRow, Configuration, IndependentSpeed, Kinematics};
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::{Diagnostics, Quantity, messages};
-use proc_macro2::Span;
 
 /// The list of independent speeds, each in v, or in q̇ where there is a configuration.
 pub(super) fn independent(
@@ -14,16 +13,16 @@ pub(super) fn independent(
     configuration: Option<&Configuration>,
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
-) -> Option<Vec<(Expr, Span)>> {
+) -> Option<Vec<IndependentSpeed>> {
     let written = vocabulary.declarations.independent.as_ref()?;
     let rates = Rates::of(kinematics, configuration, vocabulary);
-    let mut list = Vec::new();
+    let mut list: Vec<IndependentSpeed> = Vec::new();
     for quantity in &written.entries {
         let written = quantity.ident().to_string();
         let found = match (quantity, vocabulary.names.get(&written)) {
-            (Quantity::Name(_), Some(Meaning::Speed(i))) => Ok(rates.speeds[i]),
-            (Quantity::Rate(..), Some(Meaning::Coordinate(i))) => Ok(rates.rates[i]),
-            (Quantity::Rate(..), Some(Meaning::Further(i))) => Ok(rates.further[i]),
+            (Quantity::Name(_), Some(Meaning::Speed(i))) => Ok((written, rates.speeds[i])),
+            (Quantity::Rate(..), Some(Meaning::Coordinate(i))) => Ok((format!("dot_{written}"), rates.rates[i])),
+            (Quantity::Rate(..), Some(Meaning::Further(i))) => Ok((format!("dot_{written}"), rates.further[i])),
             (Quantity::Name(_), Some(Meaning::Coordinate(_) | Meaning::Further(_))) => {
                 Err(messages::name_of_coordinate(written))
             }
@@ -31,10 +30,15 @@ pub(super) fn independent(
             (_, Some(meaning)) => Err(messages::independent_form(written, meaning.describe())),
             (_, None) => Err(vocabulary.names.unknown(&written)),
         };
-        match found {
-            Ok(expr) => list.push((expr, quantity.place().start)),
-            Err(message) => diagnostics.report(quantity.place(), message),
-        }
+        let message = match found {
+            Ok((name, _)) if list.iter().any(|other| other.name == name) => messages::independent_twice(name),
+            Ok((name, expr)) => {
+                list.push(IndependentSpeed { name, expr, place: quantity.place() });
+                continue;
+            }
+            Err(message) => message,
+        };
+        diagnostics.report(quantity.place(), message);
     }
     Some(list)
 }
@@ -78,42 +82,63 @@ fn coordinate_map(configuration: &Configuration, vocabulary: &Vocabulary<'_>) ->
 }
 
 /// D by rows.
-pub(super) fn complement(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnostics) -> Option<Vec<ComplementRow>> {
+pub(super) fn complement(
+    configuration: Option<&Configuration>,
+    vocabulary: &mut Vocabulary<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Vec<ComplementRow>> {
     let declarations = vocabulary.declarations;
     let written = declarations.complement.as_ref()?;
     if let Some(independent) = &declarations.independent {
         diagnostics.report(independent.span, messages::independent_and_complement());
     }
-    let n = vocabulary.speeds.len();
+    let (columns, what, context) = match configuration {
+        Some(configuration) => {
+            let count = configuration.rates.len();
+            (count, counted(count, "coordinate", "coordinates"), Context::COMPLEMENT_OF_RATES)
+        }
+        None => {
+            let count = vocabulary.speeds.len();
+            (count, counted(count, "speed", "speeds"), Context::COMPLEMENT)
+        }
+    };
     let mut rows: Vec<ComplementRow> = Vec::new();
     for row in &written.rows {
         let name = row.name.to_string();
-        if row.entries.len() != n {
-            let (entries, speeds) = (counted(row.entries.len(), "entry", "entries"), counted(n, "speed", "speeds"));
-            diagnostics.report(row.span, messages::wrong_length(format!("the row `{name}`"), entries, speeds));
-        }
         let lowered: Vec<Option<Expr>> = row
             .entries
             .iter()
-            .map(|entry| vocabulary.lower(entry, Context::COMPLEMENT, diagnostics).map(|lowered| lowered.expr))
+            .map(|entry| vocabulary.lower(entry, context, diagnostics).map(|lowered| lowered.expr))
             .collect();
-        if let Some(entries) = lowered.into_iter().collect() {
-            rows.push(ComplementRow { name, entries, span: row.name.span() });
+        if row.entries.len() != columns {
+            let entries = counted(row.entries.len(), "entry", "entries");
+            diagnostics.report(row.span, messages::wrong_length(format!("the row `{name}`"), entries, &what));
         }
+        let Some(mut entries) = lowered.into_iter().collect::<Option<Vec<Expr>>>() else { continue };
+        if let Some(configuration) = configuration {
+            let map = coordinate_map(configuration, vocabulary);
+            entries = vocabulary.graph.substitute(&entries, &map);
+        }
+        rows.push(ComplementRow { name, entries, span: row.name.span() });
     }
-    check_names(&rows, vocabulary, diagnostics);
+    check_names(&rows, configuration.is_some(), vocabulary, diagnostics);
     Some(rows)
 }
 
 /// A row's name is new, or that of the speed that it sets free: then D's column for that speed is a unit vector.
-fn check_names(rows: &[ComplementRow], vocabulary: &Vocabulary<'_>, diagnostics: &mut Diagnostics) {
+fn check_names(
+    rows: &[ComplementRow],
+    has_configuration: bool,
+    vocabulary: &Vocabulary<'_>,
+    diagnostics: &mut Diagnostics,
+) {
     for (i, row) in rows.iter().enumerate() {
         if rows[..i].iter().any(|other| other.name == row.name) {
             diagnostics.report(row.span, messages::complement_twice(&row.name));
             continue;
         }
         match vocabulary.names.get(&row.name) {
-            Some(Meaning::Speed(column)) => {
+            Some(Meaning::Speed(column)) if !has_configuration => {
                 let graph = &vocabulary.graph;
                 let unit = rows.iter().enumerate().all(|(k, row)| {
                     let unit = if k == i { graph.one() } else { graph.zero() };

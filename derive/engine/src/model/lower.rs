@@ -30,6 +30,8 @@ impl Context {
     pub const CONFIGURATION: Context =
         Context { allowed: PLACE.and(Mentions::FURTHER), rule: messages::RULE_CONFIGURATION };
     pub const COMPLEMENT: Context = Context { allowed: PLACE, rule: messages::RULE_COMPLEMENT };
+    pub const COMPLEMENT_OF_RATES: Context =
+        Context { allowed: PLACE.and(Mentions::FURTHER), rule: messages::RULE_COMPLEMENT };
     pub const NUMBER: Context = Context { allowed: Mentions::NONE, rule: messages::RULE_NUMBER };
     /// Where a define is used decides, not where it stands.
     pub const DEFINE: Context = Context {

@@ -33,7 +33,7 @@ mod system;
 #[cfg(test)]
 mod tests;
 
-pub use system::{ComplementRow, Configuration, InitialSystem, Kinematics, Row, RowKind};
+pub use system::{ComplementRow, Configuration, IndependentSpeed, InitialSystem, Kinematics, Places, Row, RowKind};
 
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::{Declarations, Diagnostics, messages};
@@ -84,7 +84,7 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
     let written = rows::lower(vocabulary, diagnostics);
     let configuration = configuration::build(vocabulary, diagnostics);
     let failed = declarations.configuration.is_some() && configuration.is_none();
-    let complement = choice::complement(vocabulary, diagnostics);
+    let complement = if failed { None } else { choice::complement(configuration.as_ref(), vocabulary, diagnostics) };
     let start = numbers::start(vocabulary, diagnostics);
     let nominal = numbers::nominal(vocabulary, diagnostics);
 
@@ -113,9 +113,13 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
         configuration,
         independent,
         complement,
-        inertia_span: declarations.inertia.as_ref().map_or(model, |statement| statement.span),
-        independent_span: declarations.independent.as_ref().map_or(model, |statement| statement.span),
-        complement_span: declarations.complement.as_ref().map_or(model, |statement| statement.span),
+        places: Places {
+            model,
+            kinematics: declarations.kinematics.as_ref().map_or(model, |statement| statement.span),
+            inertia: declarations.inertia.as_ref().map_or(model, |statement| statement.span),
+            independent: declarations.independent.as_ref().map_or(model, |statement| statement.span),
+            complement: declarations.complement.as_ref().map_or(model, |statement| statement.span),
+        },
         start,
         nominal,
         graph: std::mem::take(&mut vocabulary.graph),

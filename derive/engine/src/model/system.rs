@@ -1,106 +1,133 @@
-//! The initial system: what a model declares, as expressions.
+//! The initial system: kinematics (2.1), (2.2), dynamics (2.3) and constraints.
 
-use crate::symbolic::{Expr, Graph, Matrix, Symbol};
 use proc_macro2::Span;
 
-/// A constraint-free system with the constraints that are to bind it: ẋ = A v + a0 (2.1), M v̇ = h* (2.3), rows f or φ.
+use crate::symbolic::{Expr, Graph, Matrix, Symbol};
+use crate::syntax::Place;
+
+/// A model with its names resolved: n coordinates x and n speeds v that nothing ties yet, and the rows that will.
+///
+/// Every expression is over [`Graph`]'s symbols; rates `dot(x)` are replaced by A v + a0.
 #[derive(Clone, Debug)]
 pub struct InitialSystem {
     /// The arena of all expressions.
     pub graph: Graph,
     /// t.
     pub time: Symbol,
-    /// Parameters that the equations use, in the order of the fields.
+    /// The fields that the model mentions, in the order of the fields.
     pub parameters: Vec<Symbol>,
-    /// Inputs.
+    /// The inputs.
     pub inputs: Vec<Symbol>,
-    /// x, n of them.
+    /// x, the initial coordinates, n of them.
     pub coordinates: Vec<Symbol>,
-    /// v, n of them; `dot_<x>` where the model names no speeds.
+    /// v, n of them; named `dot_x` where the model does not name them.
     pub speeds: Vec<Symbol>,
-    /// Both directions of the kinematics.
+    /// (2.1), (2.2).
     pub kinematics: Kinematics,
-    /// M, n x n, symmetric.
+    /// M of (2.3), n x n, symmetric.
     pub inertia: Matrix,
-    /// The statement that gives M.
-    pub inertia_span: Span,
-    /// h*, n.
+    /// h* of (2.3), n.
     pub forces: Vec<Expr>,
-    /// V(x, t), for reports of the energy.
+    /// V, where the model gives it.
     pub potential: Option<Expr>,
-    /// The constraints, in the order of declaration.
+    /// The constraints in order.
     pub rows: Vec<Row>,
-    /// x = g(q, t) (4.2).
+    /// x = g(q, t) (4.2), where the model gives it.
     pub configuration: Option<Configuration>,
-    /// The independent speeds that the model names: expressions in v, or in q̇ where there is a configuration.
-    pub independent: Option<Vec<(Expr, Span)>>,
-    /// The statement that names them.
-    pub independent_span: Span,
-    /// D, row by row, as the model gives it.
+    /// The independent speeds that the model asks for.
+    pub independent: Option<Vec<IndependentSpeed>>,
+    /// D of (3.1) by rows, where the model gives it.
     pub complement: Option<Vec<ComplementRow>>,
-    /// The statement that gives D.
-    pub complement_span: Span,
-    /// Values of coordinates and speeds for judging (`start`). They never enter emitted arithmetic.
+    /// Where statements about the whole begin, for errors.
+    pub places: Places,
+    /// Numbers for judging, from `start`: coordinates and speeds.
     pub start: Vec<(Symbol, f64)>,
-    /// Values of parameters for judging (`nominal`).
+    /// Numbers for judging, from `nominal`: parameters.
     pub nominal: Vec<(Symbol, f64)>,
 }
 
-/// ẋ = A v + a0 (2.1) and v = B ẋ + b0 (2.2).
+/// Both directions of the kinematics.
 #[derive(Clone, Debug)]
 pub struct Kinematics {
-    /// A, n x n.
+    /// A(x, t), n x n: ẋ = A v + a0 (2.1).
     pub a: Matrix,
-    /// a0, n.
+    /// a0(x, t), n.
     pub a0: Vec<Expr>,
-    /// B = A⁻¹, n x n.
+    /// B(x, t), n x n: v = B ẋ + b0 (2.2).
     pub b: Matrix,
-    /// b0 = -A⁻¹ a0, n.
+    /// b0(x, t), n.
     pub b0: Vec<Expr>,
-    /// What must not vanish for the inverse to exist: the factors of the inversion's divisors that are not numbers.
+    /// What must not vanish for the inverse to exist: factors of the pivots that are not numbers.
     pub pivots: Vec<Expr>,
 }
 
 /// A constraint.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Its name.
+    /// Its name, and that of its multiplier.
     pub name: String,
-    /// Its name in the model.
+    /// The name's place.
     pub span: Span,
-    /// Left minus right side, by kind.
+    /// What it binds.
     pub kind: RowKind,
 }
 
-/// What a constraint binds, read off what it mentions.
-#[derive(Copy, Clone, Debug)]
+/// What a constraint binds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RowKind {
-    /// f(x, t).
+    /// f(x, t) = 0.
     Position(Expr),
-    /// φ(v, x, t), linear in v; rates of coordinates stand as A v + a0.
+    /// φ(v, x, t) = 0, linear in v.
     Velocity(Expr),
 }
 
-/// x = g(q, t).
+/// x = g(q, t) (4.2).
 #[derive(Clone, Debug)]
 pub struct Configuration {
-    /// q.
+    /// q: the initial coordinates that are not given by others, then the further ones.
     pub coordinates: Vec<Symbol>,
-    /// q̇, named `dot_<q>`.
+    /// q̇, named `dot_q`.
     pub rates: Vec<Symbol>,
     /// g, one for each x.
     pub map: Vec<Expr>,
-    /// The statement.
+    /// The statement's place.
     pub span: Span,
+}
+
+/// A speed that the model wants to be independent.
+#[derive(Clone, Debug)]
+pub struct IndependentSpeed {
+    /// Its name in the state: the speed's own, or `dot_x`.
+    pub name: String,
+    /// The speed, in v; in the rates q̇ where there is a configuration.
+    pub expr: Expr,
+    /// Its place in the list.
+    pub place: Place,
 }
 
 /// A row of D.
 #[derive(Clone, Debug)]
 pub struct ComplementRow {
-    /// The name of its speed.
+    /// The name of the row's speed u.
     pub name: String,
-    /// Its n entries.
+    /// The entries: n, one for each v; where there is a configuration, one for each q̇.
     pub entries: Vec<Expr>,
-    /// Where it stands.
+    /// The name's place.
     pub span: Span,
+}
+
+/// Places for errors about a whole statement. Where the model does not make the statement, the place is the name of
+/// the struct.
+#[derive(Clone, Copy, Debug)]
+pub struct Places {
+    /// The struct's name.
+    pub model: Span,
+    /// `kinematics`
+    pub kinematics: Span,
+    /// `inertia`
+    pub inertia: Span,
+    /// `independent`
+    pub independent: Span,
+    /// `complement`
+    pub complement: Span,
 }

@@ -71,11 +71,6 @@ pub(crate) fn complement_dependent(row: &str) -> String {
     format!("row `{row}` of the complement is a combination of the rows above it")
 }
 
-/// D and g together.
-pub(crate) fn complement_with_configuration() -> String {
-    "`complement` and `configuration` both give the tangent basis; keep one of them".to_owned()
-}
-
 /// M_d is singular, whatever the parameters.
 pub(crate) fn singular_inertia(speed: &str) -> String {
     format!(

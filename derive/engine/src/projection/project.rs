@@ -41,7 +41,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     }
     let dynamics = reduce(&mut system, simplifier, &carriers, &tangent);
     let name = |system: &InitialSystem, i: usize| system.graph.name(tangent.speeds[i]).to_owned();
-    let span = system.inertia_span;
+    let span = system.places.inertia;
     let factors = match factorise(&mut system.graph, simplifier, &dynamics.mass_matrix) {
         Ok(factors) => factors,
         Err(i) => {

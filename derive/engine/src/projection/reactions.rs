@@ -48,31 +48,31 @@ pub fn reactions(
 ) -> Option<Reactions> {
     let Motion { carriers, tangent, dynamics, accelerations } = motion;
     let (n, m, k) = (system.speeds.len(), kept.len(), accelerations.len());
-    let eliminated = tangent.elimination.as_ref();
-    let carried = eliminated.map_or(m, |(rows, _)| rows.len());
-    if m < n - k && carried < m {
+    if m < n - k && tangent.rows.len() < m {
         // The configuration has reactions of its own that no row states.
-        let (list, _) = eliminated?;
-        for (_, i) in kept.iter().enumerate().filter(|(position, _)| !list.contains(position)) {
+        for (_, i) in kept.iter().enumerate().filter(|(position, _)| !tangent.rows.contains(position)) {
             errors.report(rows[*i].span, messages::reaction_undetermined(&rows[*i].name, n - k - m));
         }
         return None;
     }
     let graph = &mut system.graph;
-    if let Some((list, elimination)) =
-        eliminated.filter(|_| carried == m && (carriers.partial_velocities.is_none() || m < n - k))
-    {
-        // In the carriers' space: the same rows, and the configuration's own reactions drop out.
-        debug_assert!(list.iter().enumerate().all(|(a, b)| a == *b));
+    let among_carriers = tangent.rows.len() == m && (carriers.partial_velocities.is_none() || m < n - k);
+    if among_carriers {
+        // The configuration's own reactions do no work on the carriers and drop out.
         let rate = rates(graph, &tangent.complement, accelerations, &tangent.bias);
-        let residual = elimination
-            .pivots
-            .iter()
-            .map(|j| residual(graph, &dynamics.carrier_inertia, &dynamics.carrier_forces, &rate, *j))
-            .collect::<Vec<_>>();
-        let residual: Vec<Expr> = residual.into_iter().map(|e| simplifier.one(graph, e)).collect();
-        let multipliers = elimination.inverse.transpose().mul_vec(graph, &residual);
-        return Some(Reactions { multipliers, pivots: Vec::new() });
+        let (inertia, forces) = (&dynamics.carrier_inertia, &dynamics.carrier_forces);
+        if let Some(elimination) = &tangent.elimination {
+            let mut at_pivots = Vec::with_capacity(m);
+            for j in &elimination.pivots {
+                let r = residual(graph, inertia, forces, &rate, *j);
+                at_pivots.push(simplifier.one(graph, r));
+            }
+            let multipliers = elimination.inverse.transpose().mul_vec(graph, &at_pivots);
+            return Some(Reactions { multipliers, pivots: Vec::new() });
+        }
+        let c = tangent.gradients.map(|entries| to_state(graph, carriers, tangent, entries));
+        let r: Vec<Expr> = (0..c.columns()).map(|i| residual(graph, inertia, forces, &rate, i)).collect();
+        return Some(solve(graph, simplifier, &c, &r));
     }
     let rate = rates(graph, &dynamics.complement, accelerations, &dynamics.bias);
     let gradients: Vec<Vec<Expr>> =

@@ -11,7 +11,7 @@ use super::dependence::independent;
 use super::elimination::{Choice, Elimination, Stuck, eliminate};
 use super::factorisation::factorise;
 use super::messages;
-use crate::model::InitialSystem;
+use crate::model::{IndependentSpeed, InitialSystem};
 use crate::symbolic::{Expr, Graph, Kind, Matrix, Symbol};
 use crate::syntax::Diagnostics;
 
@@ -43,8 +43,12 @@ pub struct Tangent {
     pub map: Vec<(Symbol, Expr)>,
     /// a_2, dim w: ẇ = D2ᵀ u̇ + a_2, in terms of the state.
     pub bias: Vec<Expr>,
-    /// The rows (positions in C) that were eliminated, and how; `None` where the user gave D.
-    pub elimination: Option<(Vec<usize>, Elimination)>,
+    /// The rows (positions in C) that bind the carriers.
+    pub rows: Vec<usize>,
+    /// These rows of C in terms of the carriers, one column a carrier.
+    pub gradients: Matrix,
+    /// How they were eliminated; `None` where the user gave D.
+    pub elimination: Option<Elimination>,
     /// Pivots of this stage, in terms of the state.
     pub pivots: Vec<Expr>,
     /// The choice, told to a person.
@@ -190,7 +194,7 @@ pub fn tangent(
                 Stuck::NeedsGuard => 0,
             };
             let names: Vec<&str> = carriers.speeds.iter().map(|s| graph.name(*s)).collect();
-            let span = if by_user { system.independent_span } else { rows[kept[row]].span };
+            let span = if by_user { system.places.independent } else { rows[kept[row]].span };
             errors.report(span, messages::not_independent(&rows[kept[row]].name, &names));
             return None;
         }
@@ -229,16 +233,9 @@ pub fn tangent(
     }
     let note = note(graph, carriers, &elimination, &speeds, by_user);
     let pivots = elimination.values.clone();
-    let eliminated = carried.iter().map(|row| row.row).collect();
-    Some(Tangent {
-        speeds,
-        complement,
-        map,
-        bias: dependent,
-        elimination: Some((eliminated, elimination)),
-        pivots,
-        note,
-    })
+    let rows = carried.iter().map(|row| row.row).collect();
+    let elimination = Some(elimination);
+    Some(Tangent { speeds, complement, map, bias: dependent, rows, gradients: c, elimination, pivots, note })
 }
 
 /// The positions of the independent speeds that the user names, checked; `None` where the choice is ours.
@@ -255,20 +252,20 @@ fn chosen(
     };
     let graph = &system.graph;
     let mut columns = Vec::with_capacity(list.len());
-    for (e, span) in list {
-        match graph.as_symbol(*e).and_then(|s| carriers.speeds.iter().position(|w| *w == s)) {
+    for IndependentSpeed { expr, place, .. } in list {
+        match graph.as_symbol(*expr).and_then(|s| carriers.speeds.iter().position(|w| *w == s)) {
             Some(j) if columns.contains(&j) => {
-                errors.report(*span, messages::independent_twice(graph.name(carriers.speeds[j])));
+                errors.report(*place, messages::independent_twice(graph.name(carriers.speeds[j])));
             }
             Some(j) => columns.push(j),
             None => {
                 let names: Vec<&str> = carriers.speeds.iter().map(|s| graph.name(*s)).collect();
-                errors.report(*span, messages::not_a_speed(&names));
+                errors.report(*place, messages::not_a_speed(&names));
             }
         }
     }
     if errors.is_empty() && columns.len() + rows != width {
-        let span = system.independent_span;
+        let span = system.places.independent;
         errors.report(span, messages::wrong_number_independent(columns.len(), width, rows));
     }
     errors.is_empty().then_some(Some(columns))
@@ -306,11 +303,7 @@ fn given(
     let declared = system.complement.clone()?;
     let graph = &mut system.graph;
     let width = carriers.speeds.len();
-    let span = system.complement_span;
-    if carriers.partial_velocities.is_some() {
-        errors.report(span, messages::complement_with_configuration());
-        return None;
-    }
+    let span = system.places.complement;
     for d in &declared {
         for row in carried {
             let terms: Vec<Expr> = d.entries.iter().zip(&row.gradient).map(|(a, b)| graph.mul(*a, *b)).collect();
@@ -350,7 +343,9 @@ fn given(
     let motion: Vec<(Symbol, Expr)> = carriers.motion.iter().map(|(s, _)| *s).zip(rates).collect();
     let bias = graph.along(&w, &motion);
     let bias = bias.into_iter().map(|e| simplifier.one(graph, e)).collect();
-    Some(Tangent { speeds, complement, map, bias, elimination: None, pivots, note: None })
+    let gradients = Matrix::from_rows(carried.iter().map(|row| row.gradient.clone()).collect(), width);
+    let rows = carried.iter().map(|row| row.row).collect();
+    Some(Tangent { speeds, complement, map, bias, rows, gradients, elimination: None, pivots, note: None })
 }
 
 /// A particular solution of C v_p = -η, and what it divides by: with the pivots of C where they need no new guard, else

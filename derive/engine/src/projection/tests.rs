@@ -1,7 +1,7 @@
 //! The disk in the paper's formulations, built by hand, against the corrected equations.
 
 use super::{AsIs, Equations, project};
-use crate::model::{Configuration, InitialSystem, Kinematics, Row, RowKind};
+use crate::model::{Configuration, InitialSystem, Kinematics, Places, Row, RowKind};
 use crate::symbolic::{Expr, Graph, Kind, Matrix, Rational, Symbol};
 use proc_macro2::Span;
 
@@ -85,6 +85,7 @@ fn disk() -> Disk {
     let d = g.neg(d);
     let h5 = g.product(&[j, v[3], d]);
     let zeros = vec![zero; 6];
+    let here = Span::call_site();
     let system = InitialSystem {
         graph: g,
         time,
@@ -94,15 +95,13 @@ fn disk() -> Disk {
         speeds: vs,
         kinematics: Kinematics { a, a0: zeros.clone(), b, b0: zeros, pivots: vec![c] },
         inertia,
-        inertia_span: Span::call_site(),
         forces: vec![h1, h2, h3, h4, h5, zero],
         potential: None,
         rows: vec![],
         configuration: None,
         independent: None,
-        independent_span: Span::call_site(),
         complement: None,
-        complement_span: Span::call_site(),
+        places: Places { model: here, kinematics: here, inertia: here, independent: here, complement: here },
         start: vec![],
         nominal: vec![],
     };

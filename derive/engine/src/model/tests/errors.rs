@@ -1,3 +1,5 @@
 use super::errors;
 #[test]
-fn none() { assert!(errors("struct A;").len() == 3); }
+fn none() {
+    assert!(errors("struct A;").len() == 3);
+}

@@ -26,11 +26,8 @@ fn errors(source: &str) -> Vec<String> {
 
 /// An expression over the system's own symbols, from its text.
 fn parse(system: &mut InitialSystem, text: &str) -> Expr {
-    let all: Vec<(String, Expr)> = system
-        .graph
-        .symbols()
-        .map(|symbol| (system.graph.name(symbol).to_owned(), system.graph.var(symbol)))
-        .collect();
+    let all: Vec<(String, Expr)> =
+        system.graph.symbols().map(|symbol| (system.graph.name(symbol).to_owned(), system.graph.var(symbol))).collect();
     let wrapped = declarations(&format!("#[forces({text})] struct Model;"));
     let entries = wrapped.forces.unwrap().entries;
     let graph = &mut system.graph;

@@ -263,6 +263,8 @@ messages! {
         "no coordinate is given by `{name}`";
     independent_form(name, what) =
         "`{name}` is {what}; expected a speed or the rate of a coordinate, such as `v1` or `dot(x)`";
+    independent_twice(name) =
+        "`{name}` stands in the list twice";
     independent_and_complement() =
         "`complement` names the independent speeds already; leave out one of the two";
     complement_twice(name) =

@@ -1,0 +1,108 @@
+//! A cheap canonical form of one expression.
+
+use super::cost::{cost, total};
+use super::expand::{Angle, Atoms, Depth, angles, expand, reduce};
+use super::factor::{Style, write};
+use super::fraction::{Fraction, Sums};
+use super::limits::NUMERATOR_FORMS;
+use super::polynomial::{Monomial, Polynomial, Work};
+use crate::symbolic::{Expr, Graph, Node};
+use std::collections::BTreeSet;
+
+/// A cheap form of the expression, identical to it: quotients divided out, sin² + cos² = 1 used, factored.
+///
+/// Meant for the steps of an elimination, where what cancels must cancel at once. The expression comes back as it is
+/// where no form within the limits is cheaper.
+pub fn normalise(graph: &mut Graph, e: Expr) -> Expr {
+    if !matches!(graph.node(e), Node::Sum { .. } | Node::Product(_)) {
+        return e;
+    }
+    let mut best = (rank(graph, e), e);
+    for depth in [Depth::Full, Depth::Running] {
+        let Some((found, atoms)) = forms(graph, e, depth) else { continue };
+        let mut chosen = false;
+        for form in found {
+            let rank = rank(graph, form);
+            if rank < best.0 && graph.identical(form, e) {
+                best = (rank, form);
+                chosen = true;
+            }
+        }
+        if chosen {
+            atoms.record(graph);
+        }
+        break;
+    }
+    best.1
+}
+
+/// Run-time work first, then all work: a simpler coefficient is better though it is free.
+pub(super) fn rank(graph: &Graph, e: Expr) -> (usize, usize) {
+    (cost(graph, &[e]).weight(), total(graph, &[e]))
+}
+
+/// Forms of an expression that are worth comparing; `None` beyond the limits.
+pub(super) fn forms(graph: &mut Graph, e: Expr, depth: Depth) -> Option<(Vec<Expr>, Atoms)> {
+    let (mut atoms, mut sums, mut work) = (Atoms::default(), Sums::default(), Work::default());
+    let polynomial = expand(graph, e, depth, &mut atoms, &mut work)?;
+    let mut fraction = Fraction::of(graph, polynomial, depth, &mut atoms, &mut sums, &mut work)?;
+    let angles = angles(graph, &mut atoms);
+    fraction.cancel(graph, depth, &mut atoms, &mut sums, &angles, &mut work)?;
+    let mut out: Vec<Expr> = Vec::new();
+    let styles: &[Style] = match fraction.denominator.keys().any(|a| atoms.runs(*a)) {
+        true => &[Style::Split, Style::Joint],
+        false => &[Style::Split],
+    };
+    for numerator in variants(&fraction.numerator, &angles, &atoms, &mut work) {
+        let fraction = Fraction { numerator, denominator: fraction.denominator.clone() };
+        for style in styles {
+            if let Some(form) = write(graph, &fraction, *style, &atoms, &sums, &mut work)
+                && !out.contains(&form)
+            {
+                out.push(form);
+            }
+        }
+    }
+    Some((out, atoms))
+}
+
+/// The forms of a numerator under sin² + cos² = 1: as it is, and with the shorter choice for every angle in turn.
+fn variants(numerator: &Polynomial, angles: &[Angle], atoms: &Atoms, work: &mut Work) -> Vec<Polynomial> {
+    let mut all = vec![numerator.clone()];
+    let mut shortest = numerator.clone();
+    // One angle's choice may open another's, so the angles are gone through again while something changes.
+    for _ in 0..angles.len() {
+        let before = all.len();
+        for angle in angles {
+            for square in [angle.sin_square(), angle.cos_square()] {
+                let Some(form) = reduce(&shortest, &square, work) else { continue };
+                if length(&form, atoms) < length(&shortest, atoms) {
+                    all.push(std::mem::replace(&mut shortest, form));
+                } else if angles.len() == 1 {
+                    all.push(form);
+                }
+            }
+        }
+        if all.len() == before {
+            break;
+        }
+    }
+    let mut distinct = vec![shortest];
+    for polynomial in all {
+        if !distinct.contains(&polynomial) {
+            distinct.push(polynomial);
+        }
+    }
+    distinct.truncate(NUMERATOR_FORMS);
+    distinct
+}
+
+/// Terms with coefficients collected, their factors, and terms in all.
+fn length(polynomial: &Polynomial, atoms: &Atoms) -> (usize, usize, usize) {
+    let running: BTreeSet<Monomial> = polynomial
+        .0
+        .keys()
+        .map(|m| Monomial(m.0.iter().filter(|(atom, _)| atoms.runs(*atom)).copied().collect()))
+        .collect();
+    (running.len(), running.iter().map(Monomial::degree).sum(), polynomial.len())
+}
