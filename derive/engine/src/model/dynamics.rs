@@ -12,7 +12,7 @@ pub(super) fn inertia(
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Matrix> {
-    let n = vocabulary.speeds.len();
+    let n = vocabulary.coordinates.len();
     match &inertia.form {
         InertiaForm::Diagonal(entries) => {
             let fits = fits("inertia", entries.len(), n, inertia.span, diagnostics);
@@ -102,7 +102,7 @@ pub(super) fn forces(
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Vec<Expr>> {
-    let fits = fits("forces", forces.entries.len(), vocabulary.speeds.len(), forces.span, diagnostics);
+    let fits = fits("forces", forces.entries.len(), vocabulary.coordinates.len(), forces.span, diagnostics);
     let entries: Vec<Option<Expr>> = forces
         .entries
         .iter()
@@ -117,13 +117,12 @@ fn fits(what: &str, found: usize, speeds: usize, span: Span, diagnostics: &mut D
         let what = if what.contains(' ') { what.to_owned() } else { format!("`{what}`") };
         diagnostics.report(
             span,
-            messages::wrong_length(what, counted(found, "entry", "entries"), counted(speeds, "speed", "speeds")),
+            messages::wrong_length(
+                what,
+                messages::counted(found, "entry", "entries"),
+                messages::counted(speeds, "speed", "speeds"),
+            ),
         );
     }
     found == speeds
-}
-
-/// `1 entry`, `2 entries`
-pub(super) fn counted(number: usize, one: &str, many: &str) -> String {
-    format!("{number} {}", if number == 1 { one } else { many })
 }

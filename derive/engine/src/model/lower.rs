@@ -2,7 +2,7 @@
 
 use quote::ToTokens;
 
-use super::functions::Call;
+use super::functions::{Call, wrong_number_of_arguments};
 use super::names::{Meaning, Mentions, Names};
 use crate::symbolic::{Expr, Graph, Kind, Rational, Symbol};
 use crate::syntax::{Declarations, Diagnostics, Expression, Operator, Term, messages};
@@ -206,6 +206,10 @@ impl<'a> Vocabulary<'a> {
                     diagnostics.report(span, messages::field_not_scalar(name, ty));
                     return None;
                 }
+                if name.starts_with("r#") {
+                    diagnostics.report(span, messages::raw_identifier(name));
+                    return None;
+                }
                 self.used[i] = true;
                 (self.fields[i], Mentions::PARAMETERS)
             }
@@ -253,7 +257,7 @@ impl<'a> Vocabulary<'a> {
                     }
                     Some(Meaning::Speed(_)) => messages::acceleration(function, name),
                     Some(Meaning::Coordinate(i)) if function == "dot" => {
-                        if !Mentions::RATES.beyond(context.allowed).eq(&Mentions::NONE) {
+                        if Mentions::RATES.beyond(context.allowed) != Mentions::NONE {
                             let text = format!("dot({name})");
                             diagnostics.report(span, messages::out_of_place(text, "a rate", context.rule));
                             return None;
@@ -273,7 +277,7 @@ impl<'a> Vocabulary<'a> {
                 _ => messages::dot_of_expression(),
             },
             [_, _] if function == "dot" => messages::scalar_product(),
-            _ => messages::wrong_number_of_arguments(function, 1, arguments.len()),
+            _ => wrong_number_of_arguments(function, 1, arguments.len()),
         };
         diagnostics.report(span, message);
         None

@@ -44,8 +44,9 @@ use names::Names;
 ///
 /// # Errors
 ///
-/// Everything in the model that makes no sense. Declarations that are not
-/// [`complete`](Declarations::complete) give errors that are not the user's.
+/// Everything in the model that makes no sense. What was reported when it was read is not reported again: with holes in
+/// the declarations the list may be empty. Declarations that are not [`complete`](Declarations::complete) give errors
+/// that are not the user's.
 pub fn build(declarations: &Declarations) -> Result<InitialSystem, Diagnostics> {
     let mut diagnostics = Diagnostics::new();
     let system = attempt(declarations, &mut diagnostics);

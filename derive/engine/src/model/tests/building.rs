@@ -156,6 +156,17 @@ fn fields_that_pass_through() {
     );
 }
 
+#[test]
+fn raw_fields_pass_through_too() {
+    let source = "#[coordinates(x)] #[inertia(diag(1))] #[forces(0)]
+        struct Model { r#type: f64 }";
+    assert!(system(source).parameters.is_empty());
+    assert_eq!(
+        errors(&source.replace("forces(0)", "forces(r#type)")),
+        ["1:48 `r#type`: the raw identifier `r#type` cannot be a name in equations; choose another name"]
+    );
+}
+
 /// A long sum is one node, whatever its length; nothing recurses over its terms.
 #[test]
 fn long_sums() {

@@ -3,6 +3,7 @@
 mod building;
 mod errors;
 mod kinematics;
+mod mutations;
 
 use super::{InitialSystem, build};
 use crate::symbolic::{Expr, Matrix};
@@ -73,7 +74,7 @@ fn assert_all(system: &mut InitialSystem, found: &[Expr], expected: &[&str]) {
 
 fn assert_matrix(system: &mut InitialSystem, found: &Matrix, expected: &[&[&str]]) {
     for (i, row) in expected.iter().enumerate() {
-        assert_all(system, &found.row(i).to_vec(), row);
+        assert_all(system, found.row(i), row);
     }
 }
 
