@@ -1,11 +1,14 @@
 //! Simulation: integrating the minimal equations, watching the guards, staying on the constraints.
 
 mod control;
+mod course;
 mod dop853;
 mod guards;
 mod inputs;
 mod kernel;
 mod tableau;
+#[cfg(test)]
+mod tests;
 mod trajectory;
 
 use alloc::boxed::Box;
@@ -15,8 +18,9 @@ use crate::assemble::check_finite;
 use crate::manifold::{Manifold, term_sizes};
 use crate::{ConstrainedSystem, Error, Prepared};
 use control::Tolerance;
+use course::Course;
 use guards::Watch;
-use kernel::{Course, Pace, Plan};
+use kernel::{Pace, Plan};
 
 pub use guards::SINGULAR;
 pub use inputs::{InputSource, NoInputs};
@@ -83,7 +87,10 @@ impl<M: ConstrainedSystem> Prepared<M> {
             start,
             from: 0.0,
             method: Method::Dop853,
-            tolerance: Tolerance { relative: 1e-9, absolute: 1e-9 },
+            tolerance: Tolerance {
+                relative: 1e-9,
+                absolute: 1e-9,
+            },
             longest: f64::INFINITY,
             every: None,
             dense: true,
@@ -204,16 +211,23 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
         let pace = match self.method {
             Method::Rk4 { step } => {
                 positive("step", step)?;
-                Pace::Fixed { step: step.min((end - from).abs()) }
+                Pace::Fixed {
+                    step: step.min((end - from).abs()),
+                }
             }
             Method::DormandPrince | Method::Dop853 => {
                 positive("relative tolerance", self.tolerance.relative)?;
                 positive("absolute tolerance", self.tolerance.absolute)?;
-                Pace::Adaptive { tolerance: self.tolerance, longest: self.longest }
+                Pace::Adaptive {
+                    tolerance: self.tolerance,
+                    longest: self.longest,
+                }
             }
         };
         if !I::GIVEN && !M::MODEL.inputs.is_empty() {
-            return Err(Error::MissingInputs { inputs: M::MODEL.inputs });
+            return Err(Error::MissingInputs {
+                inputs: M::MODEL.inputs,
+            });
         }
         let inputs = self.source.inputs(from, &start).into();
         if let Some(at) = inputs.as_ref().iter().position(|input| !input.is_finite()) {
@@ -224,8 +238,22 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
         let manifold = check_position(model, from, &start)?;
         let watch = Watch::new(model, from, &start)?;
         check_velocity(model, from, &start)?;
-        let plan = Plan { start: from, end, pace, every: self.every, dense: self.dense, max_steps: self.max_steps };
-        let course = Course { model, source: self.source, watch, manifold, progress: self.progress };
+        let plan = Plan {
+            start: from,
+            end,
+            pace,
+            every: self.every,
+            dense: self.dense,
+            max_steps: self.max_steps,
+        };
+        let course = Course {
+            model,
+            source: self.source,
+            watch,
+            manifold,
+            progress: self.progress,
+            evaluations: 0,
+        };
         Ok((plan, course))
     }
 }
@@ -239,8 +267,15 @@ fn check_position<M: ConstrainedSystem>(
     let manifold = Manifold::new(model, t, s)?;
     let f = model.position_residual_at(t, s).into();
     if let Some((row, residual)) = unmet(f.as_ref(), &manifold.sizes) {
-        let constraint = M::MODEL.position_rows.get(row).copied().unwrap_or("position");
-        return Err(Error::Unmet { constraint, residual });
+        let constraint = M::MODEL
+            .position_rows
+            .get(row)
+            .copied()
+            .unwrap_or("position");
+        return Err(Error::Unmet {
+            constraint,
+            residual,
+        });
     }
     // With independent coordinates, f is identically zero.
     let dependent = M::MODEL.state_coordinates == M::MODEL.coordinates;
@@ -248,29 +283,41 @@ fn check_position<M: ConstrainedSystem>(
 }
 
 /// φ at the start.
-fn check_velocity<M: ConstrainedSystem>(model: &Prepared<M>, t: f64, s: &M::State<f64>) -> Result<(), Error> {
+fn check_velocity<M: ConstrainedSystem>(
+    model: &Prepared<M>,
+    t: f64,
+    s: &M::State<f64>,
+) -> Result<(), Error> {
     let (x, v) = (model.coordinates(t, s), model.velocities(t, s));
     let phi = model.velocity_residual(t, &x, &v).into();
-    let sizes = term_sizes(model, t, &x, &v, &|model, t, x, v| model.velocity_residual(t, x, v))?;
+    let sizes = term_sizes(model, t, &x, &v, &|model, t, x, v| {
+        model.velocity_residual(t, x, v)
+    })?;
     match unmet(phi.as_ref(), &sizes) {
-        Some((row, residual)) => {
-            Err(Error::Unmet { constraint: M::MODEL.rows.get(row).map_or("velocity", |row| row.name), residual })
-        }
+        Some((row, residual)) => Err(Error::Unmet {
+            constraint: M::MODEL.rows.get(row).map_or("velocity", |row| row.name),
+            residual,
+        }),
         None => Ok(()),
     }
 }
 
 /// The first row whose residual is too large for a start.
 fn unmet(residuals: &[f64], sizes: &[f64]) -> Option<(usize, f64)> {
-    // Also true where the residual is not a number.
-    let missed = |(residual, size): (&f64, &f64)| !(residual.abs() <= START_TOLERANCE * size);
+    let missed = |(residual, size): (&f64, &f64)| {
+        residual.is_nan() || residual.abs() > START_TOLERANCE * size
+    };
     let row = residuals.iter().zip(sizes).position(missed)?;
     Some((row, residuals[row]))
 }
 
 fn positive(name: &'static str, value: f64) -> Result<(), Error> {
     // Also false where the value is not a number.
-    if value > 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
+    if value > 0.0 {
+        Ok(())
+    } else {
+        Err(Error::NotPositive { name, value })
+    }
 }
 
 impl<M: ConstrainedSystem, I> fmt::Debug for Simulation<'_, M, I> {

@@ -38,10 +38,14 @@ impl<M: ConstrainedSystem> Watch<M> {
         let state: <M::State<f64> as Vector<f64>>::Array = (*s).into();
         let columns = M::MODEL.state_coordinates.len();
         let coordinates = &state.as_ref()[..columns.min(state.as_ref().len())];
-        let reach = coordinates.iter().fold(0.0, |reach: f64, q| reach.max(q.abs()));
+        let reach = coordinates
+            .iter()
+            .fold(0.0, |reach: f64, q| reach.max(q.abs()));
         let mut sums = alloc::vec![0.0; guards.len()];
         for (j, q) in coordinates.iter().enumerate() {
-            let seeded = convert(s, |i, value| Dual::new(value, if i == j { 1.0 } else { 0.0 }));
+            let seeded = convert(s, |i, value| {
+                Dual::new(value, if i == j { 1.0 } else { 0.0 })
+            });
             let array = dual.guards(Dual::constant(t), &seeded).into();
             for (sum, guard) in sums.iter_mut().zip(array.as_ref()) {
                 *sum += guard.derivative.abs() * q.abs().max(OTHERS * reach);
@@ -53,7 +57,11 @@ impl<M: ConstrainedSystem> Watch<M> {
             }
         }
         let negative = guards.iter().map(|guard| *guard < 0.0).collect();
-        let mut watch = Watch { largest, negative, model: PhantomData };
+        let mut watch = Watch {
+            largest,
+            negative,
+            model: PhantomData,
+        };
         watch.judge(t, guards)?;
         Ok(watch)
     }
@@ -61,15 +69,24 @@ impl<M: ConstrainedSystem> Watch<M> {
     /// Magnitude, change of sign and finiteness of the guards of an accepted state.
     pub(super) fn judge(&mut self, time: f64, guards: &[f64]) -> Result<(), Error> {
         let watched = self.largest.iter_mut().zip(&self.negative);
-        for ((info, &value), (largest, negative)) in M::MODEL.guards.iter().zip(guards).zip(watched) {
-            let singular = Error::ChartSingularity { guard: info.name, value, time };
+        for ((info, &value), (largest, negative)) in M::MODEL.guards.iter().zip(guards).zip(watched)
+        {
+            let singular = Error::ChartSingularity {
+                guard: info.name,
+                value,
+                time,
+            };
             // Also true where the guard is not a number.
             if !(value.abs() > SINGULAR * *largest && value.is_finite()) {
                 return Err(singular);
             }
             match info.kind {
                 GuardKind::Positive if value < 0.0 => {
-                    return Err(Error::Indefinite { pivot: info.name, value, time: Some(time) });
+                    return Err(Error::Indefinite {
+                        pivot: info.name,
+                        value,
+                        time: Some(time),
+                    });
                 }
                 GuardKind::Pivot if (value < 0.0) != *negative => return Err(singular),
                 _ => *largest = largest.max(value.abs()),
@@ -86,7 +103,11 @@ impl<M: ConstrainedSystem> Watch<M> {
             let ratio = value.abs() / largest;
             if ratio < smallest {
                 smallest = ratio;
-                found = Some(Error::ChartSingularity { guard: info.name, value, time });
+                found = Some(Error::ChartSingularity {
+                    guard: info.name,
+                    value,
+                    time,
+                });
             }
         }
         found
