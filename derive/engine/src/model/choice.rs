@@ -1,6 +1,7 @@
 //! What the model says about the independent speeds: their list, or D by rows.
 
-use super::lower::{Context, Vocabulary};
+use super::context::Context;
+use super::lower::Vocabulary;
 use super::names::Meaning;
 use super::system::{ComplementRow, Configuration, IndependentSpeed, Kinematics};
 use crate::symbolic::{Expr, Symbol};

@@ -1,6 +1,7 @@
 //! x = g(q, t) (4.2).
 
-use super::lower::{Context, Vocabulary};
+use super::context::Context;
+use super::lower::Vocabulary;
 use super::names::Meaning;
 use super::system::Configuration;
 use crate::symbolic::{Expr, Kind, Symbol};

@@ -2,7 +2,8 @@
 
 use proc_macro2::Span;
 
-use super::lower::{Context, Vocabulary};
+use super::context::Context;
+use super::lower::Vocabulary;
 use crate::symbolic::{Expr, Matrix};
 use crate::syntax::{Diagnostics, Inertia, InertiaEntry, InertiaForm, List, messages};
 

@@ -2,9 +2,10 @@
 
 use proc_macro2::Span;
 
+use super::context::Context;
 use super::inverse::{self, Dependence, Inverse};
 use super::linear::{self, Linear};
-use super::lower::{Context, Vocabulary};
+use super::lower::Vocabulary;
 use super::names::Meaning;
 use super::system::Kinematics;
 use crate::symbolic::{Expr, Graph, Matrix, Symbol};

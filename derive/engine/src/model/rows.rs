@@ -1,7 +1,8 @@
 //! Constraints, sorted by what they bind.
 
+use super::context::Context;
 use super::linear;
-use super::lower::{Context, Vocabulary};
+use super::lower::Vocabulary;
 use super::names::Mentions;
 use super::system::{Row, RowKind};
 use crate::symbolic::{Expr, Symbol};

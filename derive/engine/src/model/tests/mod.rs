@@ -2,8 +2,10 @@
 
 mod building;
 mod errors;
+mod expressions;
 mod kinematics;
 mod mutations;
+mod statements;
 
 use super::{InitialSystem, build};
 use crate::symbolic::{Expr, Matrix};
