@@ -9,6 +9,7 @@ fn main() {
         let clock = std::time::Instant::now();
         let r = holonomy_engine::analyse(quote::quote!(#item));
         println!("=== {} {:.3} s", item.ident, clock.elapsed().as_secs_f64());
+        holonomy_engine::expand(quote::quote!(#item));
         match r {
             Err(d) => {
                 for e in d.iter() {
