@@ -68,8 +68,13 @@ pub fn diverging(target: &Target, known: &Known) -> TokenStream {
     let parameters = types.of(target, &types.parameters, &quote!(f64));
     let (given, values) =
         (types.of(target, &types.parameters, &quote!(#scalar)), types.of(target, &types.values, &quote!(#scalar)));
+    let fields = &target.parameters;
     let prepare = quote! {
-        fn parameters(&self) -> #parameters { loop {} }
+        fn parameters(&self) -> #parameters {
+            // Read, so that no warning about unused fields joins the errors.
+            let _ = (#(&self.#fields,)*);
+            loop {}
+        }
         fn values<#scalar: #krate::Scalar>(
             &self,
             p: &#given,
