@@ -13,6 +13,8 @@ use std::collections::BTreeMap;
 
 /// Above this many nodes only the factored form is tried.
 const BOTH_FORMS: usize = 4_000;
+/// Functions of at most this many operations are marked for inlining; larger ones would be compiled many times over.
+const INLINED: usize = 120;
 
 /// One function of the model as a program.
 #[derive(Clone, Debug)]
@@ -25,6 +27,8 @@ pub struct Program {
     pub layout: Layout,
     /// What it costs.
     pub count: Count,
+    /// Whether it is small enough to be inlined.
+    pub inline: bool,
 }
 
 /// The work of `prepare`: quantities of parameters alone, shared by all functions.
@@ -87,7 +91,7 @@ pub fn programs(equations: &Equations) -> Result<Programs, Unbound> {
         .map(|(entry, code)| {
             let layout = Layout::new(&code, &names, &entry.labels());
             let count = code.count();
-            Program { entry, code, layout, count }
+            Program { entry, code, layout, count, inline: count.operations() <= INLINED }
         })
         .collect();
     Ok(Programs { graph, values, functions, names })
@@ -142,7 +146,8 @@ fn prepare(graph: &mut Graph, equations: &Equations, registry: Registry, names: 
         names.values.push(name);
     }
     let guards: Vec<String> = (1..=equations.parameter_guards.len()).map(|i| format!("guard_{i}")).collect();
-    let labels: Vec<&str> = names.values[parameters..].iter().chain(&guards).map(String::as_str).collect();
+    let fields = names.values[parameters..].iter().map(|n| (n.as_str(), false));
+    let labels: Vec<(&str, bool)> = fields.chain(guards.iter().map(|n| (n.as_str(), true))).collect();
     let layout = Layout::new(&code, names, &labels);
     let count = code.count();
     Ok(Values { quantities, parameters, code, layout, count })

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 
 #[test]
 fn long_programs_stand_in_blocks_and_functions() {
-    let programs = check(&chain(4_000));
+    let programs = check(&chain(2_500));
     let program = programs.function("multipliers").expect("it exists");
     assert!(program.count.operations() > 10_000, "{:?}", program.count);
     let Layout { parts, names } = &program.layout;

@@ -26,7 +26,7 @@ pub(crate) fn check(equations: &Equations) -> Programs {
                     (a - b).abs() <= 1e-11 * (1.0 + a.abs()),
                     "{} {}: {a} and {b}",
                     program.entry.name,
-                    program.entry.labels()[k]
+                    program.entry.labels()[k].0
                 );
             }
         }

@@ -388,18 +388,20 @@ pub fn outputs(make: impl FnOnce(&mut Graph, &[Expr]) -> Vec<Expr>) -> Equations
     equations
 }
 
-/// A chain of `steps` products and sums that nothing simplifies: about four operations a step.
+/// A chain of `steps` products and sums that nothing simplifies: about six operations a step.
 pub fn chain(steps: usize) -> Equations {
     outputs(|g, vars| {
         let (x, y, u) = (vars[3], vars[4], vars[5]);
         let (mut last, mut before) = (g.sin(x), g.cos(x));
         for k in 0..steps {
-            let c = Rational::fraction(1, k as i64 % 97 + 2).expect("a denominator");
-            let scaled = g.scale(c, x);
-            let a = g.add(scaled, y);
-            let a = g.mul(last, a);
+            // Stays of the order of one: y plus a fraction of what came before.
+            let c = Rational::fraction(1, k as i64 % 97 + 3).expect("a denominator");
+            let a = g.mul(last, x);
             let b = g.mul(before, u);
-            let next = g.sub(a, b);
+            let difference = g.sub(a, b);
+            let part = g.product(&[difference, u]);
+            let part = g.scale(c, part);
+            let next = g.add(part, y);
             (before, last) = (last, next);
         }
         vec![last, before]
