@@ -1,5 +1,6 @@
 //! All programs of a model.
 
+use super::angles::Rests;
 use super::entry::{Arguments, Entry, entries};
 use super::layout::Layout;
 use super::lower::{Lowering, Manner};
@@ -80,9 +81,10 @@ pub fn programs(equations: &Equations) -> Result<Programs, Unbound> {
     let mut graph = equations.graph.clone();
     let mut names = Names::new(equations);
     let mut registry = Registry::new(&graph.vars(&equations.parameters));
+    let mut rests = Rests::default();
     let mut coded: Vec<(Entry, Code)> = Vec::new();
     for entry in entries(equations) {
-        let code = function(&mut graph, equations, &entry, &mut registry)?;
+        let code = function(&mut graph, &mut rests, equations, &entry, &mut registry)?;
         coded.push((entry, code));
     }
     let values = prepare(&mut graph, equations, registry, &mut names)?;
@@ -98,14 +100,20 @@ pub fn programs(equations: &Equations) -> Result<Programs, Unbound> {
 }
 
 /// The cheaper of two programs for one function: sums as they stand, and with common factors taken out.
-fn function(graph: &mut Graph, equations: &Equations, entry: &Entry, registry: &mut Registry) -> Result<Code, Unbound> {
+fn function(
+    graph: &mut Graph,
+    rests: &mut Rests,
+    equations: &Equations,
+    entry: &Entry,
+    registry: &mut Registry,
+) -> Result<Code, Unbound> {
     let places = places(equations, entry.arguments);
     let roots = entry.roots();
     let place = |symbol: Symbol| places.get(&symbol).copied();
     let forms: &[bool] = if graph.reachable(&roots).len() > BOTH_FORMS { &[true] } else { &[true, false] };
     let mut best: Option<(Code, Registry)> = None;
     for factor in forms {
-        let mut lowering = Lowering::new(graph, Manner { numeric: false, factor: *factor });
+        let mut lowering = Lowering::new(graph, rests, Manner { numeric: false, factor: *factor });
         let lowered = lowering.lower(&roots, &place);
         let units = std::mem::take(&mut lowering.units);
         let roots = lowered.map_err(|symbol| unbound(entry.name, equations, symbol))?;
@@ -131,7 +139,8 @@ fn prepare(graph: &mut Graph, equations: &Equations, registry: Registry, names: 
     let places = places(equations, Arguments::Parameters);
     let mut roots = quantities[parameters..].to_vec();
     roots.extend(equations.parameter_guards.iter().map(|g| g.expr));
-    let mut lowering = Lowering::new(graph, Manner { numeric: true, factor: true });
+    let mut rests = Rests::default();
+    let mut lowering = Lowering::new(graph, &mut rests, Manner { numeric: true, factor: true });
     let lowered = lowering.lower(&roots, &|symbol| places.get(&symbol).copied());
     let mut units = std::mem::take(&mut lowering.units);
     let lowered = lowered.map_err(|symbol| unbound("values", equations, symbol))?;

@@ -50,6 +50,60 @@ fn programs_equal_their_expressions() {
     }
 }
 
+/// A random graph over m, l, g, x, y and dot_x, nested, with everything that the language has.
+fn random(seed: u64, g: &mut Graph, vars: &[Expr]) -> Vec<Expr> {
+    let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
+    let mut draw = |n: usize| {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 33) as usize % n
+    };
+    let mut pool = vars.to_vec();
+    for _ in 0..40 {
+        let (a, b, c) = (pool[draw(pool.len())], pool[draw(pool.len())], pool[draw(pool.len())]);
+        let one = g.one();
+        let square = g.powi(a, 2);
+        let positive = g.add(square, one);
+        let factor = Rational::fraction(draw(9) as i64 - 4, draw(4) as i64 + 1).expect("a denominator");
+        let new = match draw(12) {
+            0 | 1 => g.add(a, b),
+            2 => g.sub(a, b),
+            3 | 4 => g.product(&[a, b]),
+            5 => {
+                let part = g.linear(Rational::ONE, &[(factor, b)]);
+                g.product(&[a, part])
+            }
+            6 => g.linear(Rational::ZERO, &[(factor, a), (Rational::integer(2), b), (Rational::MINUS_ONE, c)]),
+            7 => g.div(b, positive),
+            8 => {
+                let angle = g.linear(Rational::ZERO, &[(Rational::ONE, vars[3 + draw(2)]), (factor, vars[4])]);
+                if draw(2) == 0 { g.sin(angle) } else { g.cos(angle) }
+            }
+            9 => g.sqrt(positive),
+            10 => g.atan2(a, positive),
+            _ => {
+                // Kept small: nothing may overflow.
+                let sine = g.sin(a);
+                if draw(2) == 0 { g.exp(sine) } else { g.ln(positive) }
+            }
+        };
+        // Values beyond a few thousand would lose digits in differences.
+        let size = g.evaluate(&[new], &value(0))[0].abs();
+        if size < 1e3 {
+            pool.push(new);
+        }
+    }
+    pool.split_off(pool.len() - 5)
+}
+
+#[test]
+fn random_programs_equal_their_expressions() {
+    for seed in 1..80 {
+        check(&outputs(|g, vars| random(seed, g, vars)));
+    }
+}
+
 #[test]
 fn the_disk_is_cheap() {
     let programs = check(&disk());

@@ -223,9 +223,9 @@ pub fn disk() -> Equations {
         let by_phi = g.derivative(eta[axis], x[3]);
         let by_theta = g.derivative(eta[axis], x[4]);
         let mut row = vec![xi[axis], eta[axis], zeta[axis]];
-        for k in 0..3 {
-            let a = g.mul(by_phi, angular[0][k]);
-            let b = g.mul(by_theta, angular[1][k]);
+        for (phi, theta) in angular[0].into_iter().zip(angular[1]) {
+            let a = g.mul(by_phi, phi);
+            let b = g.mul(by_theta, theta);
             let sum = g.add(a, b);
             let arm = g.mul(r, sum);
             row.push(g.neg(arm));
