@@ -58,16 +58,18 @@ impl Texts {
         let names = |symbols: &[crate::symbolic::Symbol]| -> Vec<String> {
             symbols.iter().map(|s| e.graph.name(*s).to_owned()).collect()
         };
-        c.each("derivative", "(5.7)", c.dots(&e.state_coordinates), &e.coordinate_rates);
-        c.each("accelerations", "(5.6)", c.dots(&e.state_speeds), &e.accelerations);
+        // Section 4 of the paper where x = g(q, t) is given, section 5 otherwise.
+        let number = |holonomic, otherwise| if configured { holonomic } else { otherwise };
+        c.each("derivative", number("(4.3)", "(5.7)"), c.dots(&e.state_coordinates), &e.coordinate_rates);
+        c.each("accelerations", number("(4.10)", "(5.6)"), c.dots(&e.state_speeds), &e.accelerations);
         c.matrix("mass_matrix", "M_d", "(4.10)", &e.mass_matrix);
-        c.list("forcing", "h_u*", "(5.6)", &e.forcing);
+        c.list("forcing", "h_u*", number("(4.10)", "(5.6)"), &e.forcing);
         if configured {
             c.each("coordinates", "(4.2)", names(&e.coordinates), &e.initial_coordinates);
         }
-        c.each("velocities", "(5.3)", names(&e.speeds), &e.velocities);
-        c.matrix("complement", "D", "(3.1)", &e.complement);
-        c.list("complement_bias", "a_u", "(5.5)", &e.complement_bias);
+        c.each("velocities", number("(4.4)", "(5.3)"), names(&e.speeds), &e.velocities);
+        c.matrix("complement", "D", number("(4.9)", "(3.1)"), &e.complement);
+        c.list("complement_bias", "a_u", number("(4.5)", "(5.5)"), &e.complement_bias);
         let lambdas = e.multiplier_names.iter().map(|n| format!("lambda({n})")).collect();
         c.each("multipliers", "(3.6)", lambdas, &e.multipliers);
         c.matrix("kinematic_matrix", "A", "(2.1)", &e.kinematic_matrix);

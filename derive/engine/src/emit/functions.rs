@@ -99,7 +99,8 @@ pub fn function(target: &Target, types: &Types, programs: &Programs, program: &P
     }
     let body = tokens(&body);
     let docs = docs(entry.name, entry.law, &program.count, texts);
-    Emitted { function: quote!(#docs #[inline] #signature { #body }), parts }
+    let inline = program.inline.then(|| quote!(#[inline]));
+    Emitted { function: quote!(#docs #inline #signature { #body }), parts }
 }
 
 fn part_function(

@@ -5,7 +5,7 @@ use super::functions::{docs, function, signature, tokens};
 use super::shape::{Known, Types};
 use super::target::{Target, ident};
 use super::text::Writer;
-use super::types::{Structs, allowed, doc, structs};
+use super::types::{Structs, allowed, doc, placeholders, structs};
 use crate::program::{Arguments, Programs, Shape};
 use crate::projection::Equations;
 use proc_macro2::{Literal, TokenStream};
@@ -32,7 +32,8 @@ pub fn implementation(target: &Target, equations: &Equations, programs: &Program
 /// The structs and the trait of a model with errors, so that only those errors show: its functions diverge.
 pub fn diverging(target: &Target, known: &Known) -> TokenStream {
     let types = Types::new(target, known.clone(), None);
-    let structs = structs(target, &types, None);
+    let mut structs = structs(target, &types, None);
+    structs.definitions.extend(placeholders(target, &types));
     let krate = &target.krate;
     let scalar = &types.scalar;
     let (k, n, m) = (known.state.len() - known.state_coordinates, known.velocities.len(), known.rows);
@@ -68,8 +69,13 @@ pub fn diverging(target: &Target, known: &Known) -> TokenStream {
     let parameters = types.of(target, &types.parameters, &quote!(f64));
     let (given, values) =
         (types.of(target, &types.parameters, &quote!(#scalar)), types.of(target, &types.values, &quote!(#scalar)));
+    let fields = &target.parameters;
     let prepare = quote! {
-        fn parameters(&self) -> #parameters { loop {} }
+        fn parameters(&self) -> #parameters {
+            // Read, so that no warning about unused fields joins the errors.
+            let _ = (#(&self.#fields,)*);
+            loop {}
+        }
         fn values<#scalar: #krate::Scalar>(
             &self,
             p: &#given,
@@ -185,7 +191,7 @@ fn prepare(target: &Target, types: &Types, programs: &Programs) -> TokenStream {
         let (own, derived) = all.split_at(values.parameters);
         let derived = derived.iter().zip(quantities).map(|(field, r)| {
             let value = writer.expression(*r);
-            if value == field.to_string() {
+            if *field == value {
                 quote!(#field)
             } else {
                 let value = tokens(&value);

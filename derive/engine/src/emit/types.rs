@@ -78,6 +78,24 @@ pub fn structs(target: &Target, types: &Types, programs: Option<&Programs>) -> S
     Structs { definitions, implementations }
 }
 
+/// Structs of which no field is known, so that at least their names resolve.
+pub fn placeholders(target: &Target, types: &Types) -> TokenStream {
+    let all = [&types.state, &types.velocities, &types.multipliers, &types.parameters, &types.inputs];
+    let vis = &target.vis;
+    let allowed = allowed();
+    let about = doc("Its fields are unknown while the model has errors.");
+    let structs = all.into_iter().filter(|record| record.fields.is_empty()).map(|record| {
+        let name = target.type_name(record.suffix);
+        quote! {
+            #about
+            #allowed
+            #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+            #vis struct #name<T = f64>(::core::marker::PhantomData<T>);
+        }
+    });
+    quote!(#(#structs)*)
+}
+
 /// A doc comment.
 pub fn doc(text: &str) -> TokenStream {
     let text = Literal::string(&format!(" {text}"));

@@ -3,11 +3,18 @@
 
 use super::lower::{Lowering, Term};
 use super::unit::{Unit, merge};
-use crate::symbolic::{Expr, Function, Node, Rational, Stage};
-use std::collections::{BTreeMap, BTreeSet};
+use crate::symbolic::{Expr, Function, Node, Stage};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-/// Among more angles than this no sums are looked for.
-const MOST_ANGLES: usize = 96;
+/// For each angle so many others with a common part are tried as summands.
+const TRIED: usize = 16;
+
+/// Differences and sums of pairs of angles, with their opposites: the same in every function of a model.
+#[derive(Clone, Default, Debug)]
+pub struct Rests {
+    /// For look-up only.
+    pairs: HashMap<(Expr, Expr), [(Expr, Expr); 2]>,
+}
 
 /// `angle = ±first ± second`, the signs as factors.
 #[derive(Copy, Clone, Debug)]
@@ -24,47 +31,48 @@ impl Lowering<'_> {
             if !self.is_coefficient(*e)
                 && let Node::Function(Function::Sin | Function::Cos, arguments) = self.graph.node(*e)
             {
-                angles.insert((self.graph.as_sum(arguments[0]).1.len(), arguments[0]));
+                angles.insert(arguments[0]);
             }
         }
         let mut splits = BTreeMap::new();
-        if angles.len() > MOST_ANGLES {
-            return splits;
-        }
-        // Simple angles first: each may rest on those before it.
-        let mut known: BTreeSet<Expr> = BTreeSet::new();
-        let coefficient = |lowering: &Self, e: Expr| {
-            let (_, terms) = lowering.graph.as_sum(e);
-            terms
-                .iter()
-                .map(|(c, _)| if c.is_negative() { c.neg() } else { c.clone() })
-                .fold(Rational::ZERO, |a, b| a.add(&b))
-        };
-        let mut angles: Vec<(usize, Rational, Expr)> =
-            angles.into_iter().map(|(n, e)| (n, coefficient(self, e), e)).collect();
-        angles.sort();
-        for (_, _, angle) in angles {
-            if let Some(split) = self.split(angle, &known) {
+        // In the order of the arena: a sum comes after its parts, and each angle may rest on those before it.
+        let mut known: Vec<(Expr, Vec<Expr>)> = Vec::new();
+        for angle in angles {
+            let parts: Vec<Expr> = self.graph.as_sum(angle).1.into_iter().map(|(_, e)| e).collect();
+            if let Some(split) = self.split(angle, &parts, &known) {
                 splits.insert(angle, split);
             }
-            known.insert(angle);
+            known.push((angle, parts));
         }
         splits
     }
 
-    fn split(&mut self, angle: Expr, known: &BTreeSet<Expr>) -> Option<Split> {
-        for first in known {
-            for negative in [false, true] {
-                let rest = if negative { self.graph.add(angle, *first) } else { self.graph.sub(angle, *first) };
-                let opposite = self.graph.neg(rest);
-                for (second, turned) in [(rest, false), (opposite, true)] {
-                    if known.contains(&second) {
-                        return Some(Split { first: (*first, negative), second: (second, turned) });
-                    }
+    fn split(&mut self, angle: Expr, parts: &[Expr], known: &[(Expr, Vec<Expr>)]) -> Option<Split> {
+        let is_known = |e: Expr| known.binary_search_by_key(&e, |(angle, _)| *angle).is_ok();
+        let related = known.iter().filter(|(_, other)| other.iter().any(|e| parts.contains(e)));
+        for (first, _) in related.take(TRIED) {
+            let rests = self.rests(angle, *first);
+            for (negative, (rest, opposite)) in [false, true].into_iter().zip(rests) {
+                if is_known(rest) {
+                    return Some(Split { first: (*first, negative), second: (rest, false) });
+                }
+                if is_known(opposite) {
+                    return Some(Split { first: (*first, negative), second: (opposite, true) });
                 }
             }
         }
         None
+    }
+
+    fn rests(&mut self, angle: Expr, first: Expr) -> [(Expr, Expr); 2] {
+        if let Some(rests) = self.rests.pairs.get(&(angle, first)) {
+            return *rests;
+        }
+        let difference = self.graph.sub(angle, first);
+        let sum = self.graph.add(angle, first);
+        let rests = [difference, sum].map(|rest| (rest, self.graph.neg(rest)));
+        self.rests.pairs.insert((angle, first), rests);
+        rests
     }
 
     /// Sine and cosine of an angle.

@@ -69,9 +69,12 @@ impl Entry {
         self.outputs.iter().flat_map(|o| o.roots.iter().copied()).collect()
     }
 
-    /// The names of all results in order.
-    pub fn labels(&self) -> Vec<&str> {
-        self.outputs.iter().flat_map(|o| o.labels.iter().map(String::as_str)).collect()
+    /// The names of all results in order, and whether a description says more: an entry of a matrix or a guard is
+    /// only a place.
+    pub fn labels(&self) -> Vec<(&str, bool)> {
+        let weak =
+            |o: &Output| matches!(o.shape, Shape::Matrix(..)) || o.labels.iter().all(|l| l.starts_with("guard_"));
+        self.outputs.iter().flat_map(|o| o.labels.iter().map(move |l| (l.as_str(), weak(o)))).collect()
     }
 }
 

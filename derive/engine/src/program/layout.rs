@@ -61,8 +61,8 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// The layout of a program whose results have the given labels.
-    pub fn new(code: &Code, names: &Names, labels: &[&str]) -> Self {
+    /// The layout of a program whose results have the given labels; a weak label yields to a description.
+    pub fn new(code: &Code, names: &Names, labels: &[(&str, bool)]) -> Self {
         let bound = bound(code, names);
         let names = name(code, names, labels, &bound);
         let (lets, homes) = lets(code, &bound);
@@ -106,13 +106,13 @@ fn bound(code: &Code, names: &Names) -> Vec<bool> {
     bound
 }
 
-fn name(code: &Code, names: &Names, labels: &[&str], bound: &[bool]) -> Vec<Option<String>> {
+fn name(code: &Code, names: &Names, labels: &[(&str, bool)], bound: &[bool]) -> Vec<Option<String>> {
     let reads = code.operations.iter().any(|o| matches!(o, Operation::Read(Leaf::Coordinate(_))));
     let locals = names.coordinates.iter().filter(|_| reads).map(String::as_str);
     let mut namer = Namer::avoiding(ARGUMENTS.iter().copied().chain(locals));
-    let mut label: BTreeMap<Reference, &str> = BTreeMap::new();
+    let mut label: BTreeMap<Reference, (&str, bool)> = BTreeMap::new();
     for (output, text) in code.outputs.iter().zip(labels) {
-        label.entry(*output).or_insert(text);
+        label.entry(*output).or_insert(*text);
     }
     let mut given: Vec<Option<String>> = vec![None; bound.len()];
     let mut texts: Vec<Option<String>> = vec![None; bound.len()];
@@ -125,7 +125,8 @@ fn name(code: &Code, names: &Names, labels: &[&str], bound: &[bool]) -> Vec<Opti
         let turn = matches!(operation, Operation::Sine(_) | Operation::Cosine(_));
         let plain = turn || matches!(operation, Operation::Number(_));
         let name = match (label.get(&(at as Reference)).filter(|_| !plain), described) {
-            (Some(label), _) => Some(namer.unique(&label.to_lowercase())),
+            (Some((_, true)), Some(text)) => Some(namer.unique(&text)),
+            (Some((label, _)), _) => Some(namer.unique(&label.to_lowercase())),
             (None, Some(text)) => Some(namer.unique(&text)),
             (None, None) => match operation {
                 Operation::Sine(a) => Some(namer.unique(&format!("sin_{}", angle(&given, *a)))),

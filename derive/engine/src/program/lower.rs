@@ -1,5 +1,6 @@
 //! From the graph to units: each expression becomes one term, a coefficient of parameters times factors that change.
 
+use super::angles::Rests;
 use super::operation::Leaf;
 use super::unit::{Bag, Id, Unit, Units, merge};
 use crate::symbolic::{Expr, Function, Graph, Node, Rational, Stage, Symbol};
@@ -31,6 +32,8 @@ pub struct Lowering<'a> {
     pub units: Units,
     /// How.
     pub manner: Manner,
+    /// Sums of angles that were looked at before.
+    pub(super) rests: &'a mut Rests,
     /// Terms of the expressions done, by index.
     terms: Vec<Option<Term>>,
     /// Sine and cosine of each angle.
@@ -41,9 +44,10 @@ pub struct Lowering<'a> {
 
 impl<'a> Lowering<'a> {
     /// A lowering over the graph.
-    pub fn new(graph: &'a mut Graph, manner: Manner) -> Self {
+    pub fn new(graph: &'a mut Graph, rests: &'a mut Rests, manner: Manner) -> Self {
         Lowering {
             graph,
+            rests,
             units: Units::default(),
             manner,
             terms: Vec::new(),
@@ -107,7 +111,10 @@ impl<'a> Lowering<'a> {
     pub(super) fn term(&self, e: Expr) -> Term {
         match self.terms.get(e.index()) {
             Some(Some(term)) => term.clone(),
-            _ => self.constant(e),
+            _ => {
+                debug_assert!(self.is_coefficient(e), "operands are lowered first");
+                self.constant(e)
+            }
         }
     }
 

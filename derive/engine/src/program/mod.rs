@@ -27,7 +27,7 @@ pub mod plan;
 pub mod schedule;
 pub mod share;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 pub mod unit;
 
 pub use entry::{Arguments, Entry, Output, Shape};

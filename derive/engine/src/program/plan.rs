@@ -1,5 +1,6 @@
 //! All programs of a model.
 
+use super::angles::Rests;
 use super::entry::{Arguments, Entry, entries};
 use super::layout::Layout;
 use super::lower::{Lowering, Manner};
@@ -13,6 +14,8 @@ use std::collections::BTreeMap;
 
 /// Above this many nodes only the factored form is tried.
 const BOTH_FORMS: usize = 4_000;
+/// Functions of at most this many operations are marked for inlining; larger ones would be compiled many times over.
+const INLINED: usize = 120;
 
 /// One function of the model as a program.
 #[derive(Clone, Debug)]
@@ -25,6 +28,8 @@ pub struct Program {
     pub layout: Layout,
     /// What it costs.
     pub count: Count,
+    /// Whether it is small enough to be inlined.
+    pub inline: bool,
 }
 
 /// The work of `prepare`: quantities of parameters alone, shared by all functions.
@@ -76,9 +81,10 @@ pub fn programs(equations: &Equations) -> Result<Programs, Unbound> {
     let mut graph = equations.graph.clone();
     let mut names = Names::new(equations);
     let mut registry = Registry::new(&graph.vars(&equations.parameters));
+    let mut rests = Rests::default();
     let mut coded: Vec<(Entry, Code)> = Vec::new();
     for entry in entries(equations) {
-        let code = function(&mut graph, equations, &entry, &mut registry)?;
+        let code = function(&mut graph, &mut rests, equations, &entry, &mut registry)?;
         coded.push((entry, code));
     }
     let values = prepare(&mut graph, equations, registry, &mut names)?;
@@ -87,21 +93,27 @@ pub fn programs(equations: &Equations) -> Result<Programs, Unbound> {
         .map(|(entry, code)| {
             let layout = Layout::new(&code, &names, &entry.labels());
             let count = code.count();
-            Program { entry, code, layout, count }
+            Program { entry, code, layout, count, inline: count.operations() <= INLINED }
         })
         .collect();
     Ok(Programs { graph, values, functions, names })
 }
 
 /// The cheaper of two programs for one function: sums as they stand, and with common factors taken out.
-fn function(graph: &mut Graph, equations: &Equations, entry: &Entry, registry: &mut Registry) -> Result<Code, Unbound> {
+fn function(
+    graph: &mut Graph,
+    rests: &mut Rests,
+    equations: &Equations,
+    entry: &Entry,
+    registry: &mut Registry,
+) -> Result<Code, Unbound> {
     let places = places(equations, entry.arguments);
     let roots = entry.roots();
     let place = |symbol: Symbol| places.get(&symbol).copied();
     let forms: &[bool] = if graph.reachable(&roots).len() > BOTH_FORMS { &[true] } else { &[true, false] };
     let mut best: Option<(Code, Registry)> = None;
     for factor in forms {
-        let mut lowering = Lowering::new(graph, Manner { numeric: false, factor: *factor });
+        let mut lowering = Lowering::new(graph, rests, Manner { numeric: false, factor: *factor });
         let lowered = lowering.lower(&roots, &place);
         let units = std::mem::take(&mut lowering.units);
         let roots = lowered.map_err(|symbol| unbound(entry.name, equations, symbol))?;
@@ -127,7 +139,8 @@ fn prepare(graph: &mut Graph, equations: &Equations, registry: Registry, names: 
     let places = places(equations, Arguments::Parameters);
     let mut roots = quantities[parameters..].to_vec();
     roots.extend(equations.parameter_guards.iter().map(|g| g.expr));
-    let mut lowering = Lowering::new(graph, Manner { numeric: true, factor: true });
+    let mut rests = Rests::default();
+    let mut lowering = Lowering::new(graph, &mut rests, Manner { numeric: true, factor: true });
     let lowered = lowering.lower(&roots, &|symbol| places.get(&symbol).copied());
     let mut units = std::mem::take(&mut lowering.units);
     let lowered = lowered.map_err(|symbol| unbound("values", equations, symbol))?;
@@ -142,7 +155,8 @@ fn prepare(graph: &mut Graph, equations: &Equations, registry: Registry, names: 
         names.values.push(name);
     }
     let guards: Vec<String> = (1..=equations.parameter_guards.len()).map(|i| format!("guard_{i}")).collect();
-    let labels: Vec<&str> = names.values[parameters..].iter().chain(&guards).map(String::as_str).collect();
+    let fields = names.values[parameters..].iter().map(|n| (n.as_str(), false));
+    let labels: Vec<(&str, bool)> = fields.chain(guards.iter().map(|n| (n.as_str(), true))).collect();
     let layout = Layout::new(&code, names, &labels);
     let count = code.count();
     Ok(Values { quantities, parameters, code, layout, count })

@@ -1,7 +1,7 @@
 //! Models by hand: the initial system, D, and everything else by the formulas of the paper.
 
 use crate::projection::{Equations, Guard, GuardKind};
-use crate::symbolic::{Expr, Graph, Kind, Matrix, Symbol};
+use crate::symbolic::{Expr, Graph, Kind, Matrix, Rational, Symbol};
 
 /// What a model gives; the state holds x and the speeds `independent` of v.
 pub struct Given {
@@ -223,9 +223,9 @@ pub fn disk() -> Equations {
         let by_phi = g.derivative(eta[axis], x[3]);
         let by_theta = g.derivative(eta[axis], x[4]);
         let mut row = vec![xi[axis], eta[axis], zeta[axis]];
-        for k in 0..3 {
-            let a = g.mul(by_phi, angular[0][k]);
-            let b = g.mul(by_theta, angular[1][k]);
+        for (phi, theta) in angular[0].into_iter().zip(angular[1]) {
+            let a = g.mul(by_phi, phi);
+            let b = g.mul(by_theta, theta);
             let sum = g.add(a, b);
             let arm = g.mul(r, sum);
             row.push(g.neg(arm));
@@ -280,7 +280,10 @@ pub fn disk() -> Equations {
         6,
     );
     let names = ["no_slip_along", "no_slip_across", "contact"].map(str::to_owned).to_vec();
-    reduce(Given {
+    let above = g.mul(r, c);
+    let height = g.add(q[2], above);
+    let potential = g.product(&[m, gravity, height]);
+    let mut equations = reduce(Given {
         time,
         parameters,
         x,
@@ -295,7 +298,9 @@ pub fn disk() -> Equations {
         guards: vec![(c, GuardKind::Pivot)],
         names,
         graph,
-    })
+    });
+    equations.potential_energy = Some(potential);
+    equations
 }
 
 /// The disk's second stage: M_ω (6.27) and h_ω* (6.28) as corrected, in q = phi, theta, psi and ω.
@@ -369,4 +374,36 @@ pub fn disk_stage() -> Equations {
         multiplier_rows: Vec::new(),
         ..equations
     }
+}
+
+/// The pendulum with other multipliers: the given expressions of m, l, g, x, y and dot_x.
+pub fn outputs(make: impl FnOnce(&mut Graph, &[Expr]) -> Vec<Expr>) -> Equations {
+    let mut equations = pendulum();
+    let symbols =
+        [equations.parameters.clone(), equations.coordinates.clone(), equations.state_speeds.clone()].concat();
+    let vars = equations.graph.vars(&symbols);
+    equations.multipliers = make(&mut equations.graph, &vars);
+    equations.multiplier_names = (1..=equations.multipliers.len()).map(|i| format!("row_{i}")).collect();
+    equations.multiplier_rows = vec![None; equations.multipliers.len()];
+    equations
+}
+
+/// A chain of `steps` products and sums that nothing simplifies: about six operations a step.
+pub fn chain(steps: usize) -> Equations {
+    outputs(|g, vars| {
+        let (x, y, u) = (vars[3], vars[4], vars[5]);
+        let (mut last, mut before) = (g.sin(x), g.cos(x));
+        for k in 0..steps {
+            // Stays of the order of one: y plus a fraction of what came before.
+            let c = Rational::fraction(1, k as i64 % 97 + 3).expect("a denominator");
+            let a = g.mul(last, x);
+            let b = g.mul(before, u);
+            let difference = g.sub(a, b);
+            let part = g.product(&[difference, u]);
+            let part = g.scale(c, part);
+            let next = g.add(part, y);
+            (before, last) = (last, next);
+        }
+        vec![last, before]
+    })
 }
