@@ -16,3 +16,21 @@ pub const FACTOR_TERMS: usize = 32;
 pub const FACTORED_DEPTH: usize = 24;
 /// Trigonometric forms of one numerator that are compared.
 pub const NUMERATOR_FORMS: usize = 4;
+/// E-nodes of one group of roots.
+pub const GROUP_NODES: usize = 800;
+/// E-nodes of a whole model.
+pub const MODEL_NODES: usize = 15_000;
+/// Expressions that run in one group, before its e-graph is grown.
+pub const GROUP_SEEDS: usize = 200;
+/// Rounds of rules.
+pub const ROUNDS: usize = 3;
+/// Ways in which a term of a sum is read as a product.
+pub const READINGS: usize = 3;
+/// Passes of the extraction over all classes.
+pub const EXTRACTION_PASSES: usize = 12;
+/// Reciprocals and angles that the extraction tries to do without, in a group.
+pub const EXTRACTION_BANS: usize = 8;
+/// Choices that the extraction tries against all roots of a group.
+pub const EXTRACTION_TRIALS: usize = 200;
+/// Denominators and arguments of functions that are normalised on their own, in a model.
+pub const INNER_FORMS: usize = 100;
