@@ -1,1 +1,109 @@
-//! The runtime.
+//! Equations of motion of constrained mechanisms, derived by the compiler.
+//!
+//! The derive macro turns a declared mechanism into an implementation of [`ConstrainedSystem`]: straight-line functions for the
+//! minimal equations of motion `M_d u̇ = h_u*`, the constraints, the multipliers and the energies. This crate runs them:
+//!
+//! * [`ConstrainedSystem::prepare`] checks the parameters and gives a [`Prepared`] model, on which all methods live;
+//! * [`Prepared::assemble`] closes the position constraints from a guess;
+//! * [`Prepared::simulate`] integrates, watches the guards, and stays on the constraint manifold;
+//! * [`forms`] has the unreduced forms of the equations, for oracles and for study.
+//!
+//! Equation numbers refer to W. Blajer, "A generalized projection method for the dynamic analysis of constrained mechanical
+//! systems" (Journal of Theoretical and Applied Mechanics 2, 30, 1992). The names follow the paper: `x` the initial coordinates,
+//! `v` the initial velocities, `u` the independent speeds, `C` the constraint matrix, `D` its complement (`D Cᵀ = 0`),
+//! `λ` the multipliers, with the sign of `M v̇ = h* + Cᵀ λ`: the force that the constraint exerts on the system.
+//!
+//! ```
+//! # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+//! # use models::{Pendulum, PendulumState};
+//! use holonomy::prelude::*;
+//!
+//! # fn main() -> Result<(), holonomy::Error> {
+//! let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
+//! let start = pendulum.assemble(PendulumState { x: 0.2, y: -0.4, dot_x: 0.0 }).hold("x").solve()?;
+//! let run = pendulum.simulate(start).until(1.0)?;
+//! let (t, end) = run.last();
+//! assert!((pendulum.energy(t, end) - pendulum.energy(0.0, &start)).abs() < 1e-6);
+//! println!("tension {}", pendulum.multipliers(t, end, &[]).rod);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! Features: `std` (default) or `libm` for the elementary functions, `derive` (default) for the macro.
+
+#![no_std]
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+#[cfg(any(feature = "std", feature = "libm"))]
+extern crate alloc;
+// The models of the tests name this crate as users do.
+#[cfg(test)]
+#[allow(unused_extern_crates)]
+extern crate self as holonomy;
+#[cfg(feature = "std")]
+extern crate std;
+
+#[cfg(not(any(feature = "std", feature = "libm")))]
+// Everything below is left out then, so that only this error shows.
+compile_error!("holonomy needs elementary functions: enable the feature `std` (default) or `libm`");
+
+#[cfg(any(feature = "std", feature = "libm"))]
+mod assemble;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod error;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub mod forms;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod manifold;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod math;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod matrix;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod prepared;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod scalar;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub mod simulate;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod system;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod vector;
+
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use assemble::Assembly;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use error::Error;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use matrix::Matrix;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use prepared::{Prepared, Reactions};
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use scalar::{Dual, Scalar};
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use simulate::{Interrupted, Method, Simulation, Trajectory};
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use system::{
+    ConstrainedSystem, Description, Equation, FunctionCost, GuardInfo, GuardKind, Level,
+    MultiplierInfo, RowInfo, State,
+};
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use vector::Vector;
+
+#[cfg(all(feature = "derive", any(feature = "std", feature = "libm")))]
+pub use holonomy_derive::ConstrainedSystem;
+
+#[doc(hidden)]
+#[cfg(any(feature = "std", feature = "libm"))]
+pub mod __private;
+
+#[cfg(test)]
+#[path = "../tests/models/mod.rs"]
+mod models;
+
+/// What a program that runs models needs: `use holonomy::prelude::*;`.
+#[cfg(any(feature = "std", feature = "libm"))]
+pub mod prelude {
+    pub use crate::{ConstrainedSystem, Error, Matrix, Method, Prepared, Scalar, Vector};
+}

@@ -103,3 +103,29 @@ pub struct Equations {
     /// Choices that were made, with their reasons.
     pub notes: Vec<String>,
 }
+
+impl Equations {
+    /// Every expression of the result.
+    pub fn roots(&self) -> Vec<Expr> {
+        let mut equations = self.clone();
+        equations.groups().into_iter().flatten().map(|e| *e).collect()
+    }
+
+    /// The expressions in groups that are computed together, to be replaced by cheaper ones in place.
+    pub fn groups(&mut self) -> Vec<Vec<&mut Expr>> {
+        let guards = self.guards.iter_mut().map(|g| &mut g.expr);
+        vec![
+            self.coordinate_rates.iter_mut().chain(&mut self.accelerations).chain(guards).collect(),
+            self.mass_matrix.entries_mut().iter_mut().chain(&mut self.forcing).collect(),
+            self.multipliers.iter_mut().collect(),
+            self.initial_coordinates.iter_mut().chain(&mut self.velocities).collect(),
+            self.complement.entries_mut().iter_mut().chain(&mut self.complement_bias).collect(),
+            self.kinematic_matrix.entries_mut().iter_mut().chain(&mut self.kinematic_bias).collect(),
+            self.inertia.entries_mut().iter_mut().collect(),
+            self.forces.iter_mut().collect(),
+            self.constraint_matrix.entries_mut().iter_mut().chain(&mut self.constraint_bias).collect(),
+            self.position_residual.iter_mut().chain(&mut self.velocity_residual).collect(),
+            std::iter::once(&mut self.kinetic_energy).chain(self.potential_energy.as_mut()).collect(),
+        ]
+    }
+}

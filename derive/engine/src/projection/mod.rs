@@ -1,6 +1,55 @@
-//! From the initial system to the equations of motion: constraints differentiated, the tangent basis found, both
-//! projections (Blajer 1992, sections 3 to 5).
+//! From the initial system to the equations of motion (Blajer 1992, sections 2 to 5; corrected where the print is wrong).
+//!
+//! | file | idea |
+//! |---|---|
+//! | [`constraints`] | rows differentiated to C v̇ + c0* = 0 (2.5), (2.6) |
+//! | [`dependence`] | which rows are independent, which repeat others, which contradict |
+//! | [`elimination`] | C_d⁻¹ by Gauss-Jordan on the arena, pivots chosen and recorded |
+//! | [`tangent`] | the basis D and the bias a_u: by partial velocities, by pivots, or as given |
+//! | [`dynamics`] | M_d and h_u* (4.10), (5.6) |
+//! | [`factorisation`] | L D Lᵀ along the zero pattern |
+//! | [`reactions`] | λ for all rows in the initial space |
+//! | [`guards`] | every quantity by which the result divides |
+//! | [`project`] | the steps in order |
+//! | [`equations`] | the result |
+//! | [`messages`] | every sentence that this step can say to a user |
 
+pub mod constraints;
+pub mod dependence;
+pub mod dynamics;
+pub mod elimination;
 pub mod equations;
+pub mod factorisation;
+pub mod guards;
+pub(crate) mod messages;
+pub mod project;
+pub mod reactions;
+pub mod tangent;
+#[cfg(test)]
+mod tests;
 
 pub use equations::{Equations, Guard, GuardKind};
+pub use project::project;
+
+use crate::symbolic::{Expr, Graph};
+
+/// How the projection asks for cheaper forms on its way: entries that are not reduced before they are divided and
+/// multiplied again grow without need.
+pub trait Simplifier {
+    /// A cheap canonical form of one expression.
+    fn one(&mut self, graph: &mut Graph, e: Expr) -> Expr;
+    /// Cheaper forms of several expressions that are computed together.
+    fn all(&mut self, graph: &mut Graph, roots: &[Expr]) -> Vec<Expr>;
+}
+
+/// Leaves everything as it is.
+pub struct AsIs;
+
+impl Simplifier for AsIs {
+    fn one(&mut self, _: &mut Graph, e: Expr) -> Expr {
+        e
+    }
+    fn all(&mut self, _: &mut Graph, roots: &[Expr]) -> Vec<Expr> {
+        roots.to_vec()
+    }
+}

@@ -222,6 +222,14 @@ impl Graph {
         }
     }
 
+    /// Runs a computation and forgets what it assumed to be non-zero.
+    pub fn without_new_assumptions<R>(&mut self, compute: impl FnOnce(&mut Self) -> R) -> R {
+        let before = (self.nonzero.clone(), self.cancelled.clone());
+        let result = compute(self);
+        (self.nonzero, self.cancelled) = before;
+        result
+    }
+
     /// Coefficient and factors of an expression seen as one term: `-2*x*y` is `(-2, [(x, 1), (y, 1)])`.
     pub fn as_term(&self, e: Expr) -> (Rational, Vec<(Expr, i32)>) {
         let (coefficient, core) = match self.node(e) {

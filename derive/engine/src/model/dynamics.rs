@@ -1,0 +1,132 @@
+//! M and h* of (2.3), and the potential energy.
+
+use proc_macro2::Span;
+
+use super::lower::{Context, Vocabulary};
+use crate::symbolic::{Expr, Matrix};
+use crate::syntax::{Diagnostics, Inertia, InertiaEntry, InertiaForm, List, messages};
+
+/// M; `None` where something was reported.
+pub(super) fn inertia(
+    inertia: &Inertia,
+    vocabulary: &mut Vocabulary<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Matrix> {
+    let n = vocabulary.speeds.len();
+    match &inertia.form {
+        InertiaForm::Diagonal(entries) => {
+            let fits = fits("inertia", entries.len(), n, inertia.span, diagnostics);
+            let entries: Vec<Option<Expr>> = entries
+                .iter()
+                .map(|entry| vocabulary.lower(entry, Context::INERTIA, diagnostics).map(|lowered| lowered.expr))
+                .collect();
+            let entries: Vec<Expr> = entries.into_iter().collect::<Option<_>>()?;
+            let zero = vocabulary.graph.zero();
+            fits.then(|| Matrix::from_fn(n, n, |i, j| if i == j { entries[i] } else { zero }))
+        }
+        InertiaForm::Matrix(rows) => {
+            let mut sound = fits("inertia", rows.len(), n, inertia.span, diagnostics);
+            let mut lowered: Vec<Vec<Entry>> = Vec::new();
+            for row in rows {
+                sound &= fits("this row of `inertia`", row.entries.len(), n, row.span, diagnostics);
+                let entries = row.entries.iter();
+                lowered.push(
+                    entries
+                        .map(|entry| match entry {
+                            InertiaEntry::Symmetric(span) => Entry::Symmetric(*span),
+                            InertiaEntry::Given(given) => {
+                                match vocabulary.lower(given, Context::INERTIA, diagnostics) {
+                                    Some(value) => Entry::Given(value.expr, given.place()),
+                                    None => Entry::Refused,
+                                }
+                            }
+                        })
+                        .collect(),
+                );
+            }
+            sound.then(|| symmetric(&lowered, vocabulary, diagnostics))?
+        }
+    }
+}
+
+/// An entry of M as far as it is known.
+#[derive(Clone, Copy)]
+enum Entry {
+    Given(Expr, crate::syntax::Place),
+    Symmetric(Span),
+    Refused,
+}
+
+/// Fills in what follows by symmetry, and checks the rest.
+fn symmetric(entries: &[Vec<Entry>], vocabulary: &Vocabulary<'_>, diagnostics: &mut Diagnostics) -> Option<Matrix> {
+    let graph = &vocabulary.graph;
+    let n = entries.len();
+    let mut matrix = Matrix::zeros(graph, n, n);
+    let mut sound = true;
+    for i in 0..n {
+        for j in 0..=i {
+            let value = match (entries[i][j], entries[j][i]) {
+                (Entry::Refused, _) | (_, Entry::Refused) => None,
+                (Entry::Symmetric(span), Entry::Symmetric(_)) => {
+                    let message =
+                        if i == j { messages::underscore_on_diagonal() } else { messages::underscore_twice() };
+                    diagnostics.report(span, message);
+                    None
+                }
+                (Entry::Given(value, _), Entry::Symmetric(_)) | (Entry::Symmetric(_), Entry::Given(value, _)) => {
+                    Some(value)
+                }
+                (Entry::Given(below, place), Entry::Given(above, _)) => {
+                    if graph.identical(below, above) {
+                        Some(above)
+                    } else {
+                        let (row, column) = (j + 1, i + 1);
+                        let (above, below) = (graph.display(above), graph.display(below));
+                        diagnostics.report(place, messages::not_symmetric(row, column, above, below));
+                        None
+                    }
+                }
+            };
+            match value {
+                Some(value) => {
+                    matrix.set(i, j, value);
+                    matrix.set(j, i, value);
+                }
+                None => sound = false,
+            }
+        }
+    }
+    sound.then_some(matrix)
+}
+
+/// h*, with rates still as written.
+pub(super) fn forces(
+    forces: &List,
+    vocabulary: &mut Vocabulary<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Vec<Expr>> {
+    let fits = fits("forces", forces.entries.len(), vocabulary.speeds.len(), forces.span, diagnostics);
+    let entries: Vec<Option<Expr>> = forces
+        .entries
+        .iter()
+        .map(|entry| vocabulary.lower(entry, Context::FORCES, diagnostics).map(|lowered| lowered.expr))
+        .collect();
+    let entries = entries.into_iter().collect::<Option<_>>()?;
+    fits.then_some(entries)
+}
+
+fn fits(what: &str, found: usize, speeds: usize, span: Span, diagnostics: &mut Diagnostics) -> bool {
+    if found != speeds {
+        let what = if what.contains(' ') { what.to_owned() } else { format!("`{what}`") };
+        diagnostics.report(
+            span,
+            messages::wrong_length(what, counted(found, "entry", "entries"), counted(speeds, "speed", "speeds")),
+        );
+    }
+    found == speeds
+}
+
+/// `1 entry`, `2 entries`
+pub(super) fn counted(number: usize, one: &str, many: &str) -> String {
+    format!("{number} {}", if number == 1 { one } else { many })
+}

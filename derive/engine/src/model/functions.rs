@@ -1,0 +1,104 @@
+//! The functions of the language: names, numbers of arguments, and where they have no value.
+
+use proc_macro2::Span;
+
+use super::lower::Vocabulary;
+use crate::symbolic::Expr;
+use crate::syntax::{Diagnostics, did_you_mean, messages, nearest};
+
+/// The functions with their numbers of arguments.
+pub(super) const FUNCTIONS: [(&str, usize); 9] =
+    [("sin", 1), ("cos", 1), ("tan", 1), ("sqrt", 1), ("exp", 1), ("ln", 1), ("atan2", 2), ("powi", 2), ("dot", 1)];
+
+/// Names under which people look for these functions.
+const ALIASES: [(&str, &str); 10] = [
+    ("log", "ln"),
+    ("pow", "powi"),
+    ("powf", "powi"),
+    ("power", "powi"),
+    ("atan", "atan2"),
+    ("arctan", "atan2"),
+    ("arctan2", "atan2"),
+    ("diff", "dot"),
+    ("der", "dot"),
+    ("root", "sqrt"),
+];
+
+/// Exponents of `powi` up to this magnitude.
+const EXPONENT: i64 = 999;
+
+/// A call of a function, its arguments lowered.
+pub(super) struct Call<'a> {
+    pub function: &'a str,
+    pub span: Span,
+    pub count: usize,
+}
+
+impl Call<'_> {
+    /// The value; `None` where something was reported, here or in an argument.
+    pub fn lower(
+        &self,
+        arguments: &[Option<Expr>],
+        vocabulary: &mut Vocabulary<'_>,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Expr> {
+        let Some((_, count)) = FUNCTIONS.iter().find(|(name, _)| *name == self.function) else {
+            diagnostics.report(self.span, self.unknown(vocabulary));
+            return None;
+        };
+        if *count != self.count {
+            let message = messages::wrong_number_of_arguments(self.function, count, self.count);
+            diagnostics.report(self.span, message);
+            return None;
+        }
+        let arguments: Vec<Expr> = arguments.iter().copied().collect::<Option<_>>()?;
+        let graph = &mut vocabulary.graph;
+        let number = |at: usize| graph.as_number(arguments[at]);
+        let zero = |at: usize| number(at).is_some_and(|number| number.is_zero());
+        let undefined = match self.function {
+            "sqrt" => number(0).is_some_and(|number| number.is_negative()),
+            "ln" => zero(0) || number(0).is_some_and(|number| number.is_negative()),
+            "atan2" => zero(0) && zero(1),
+            _ => false,
+        };
+        if undefined {
+            diagnostics.report(self.span, messages::undefined(self.function));
+            return None;
+        }
+        let x = arguments[0];
+        Some(match self.function {
+            "sin" => graph.sin(x),
+            "cos" => graph.cos(x),
+            "tan" => graph.tan(x),
+            "sqrt" => graph.sqrt(x),
+            "exp" => graph.exp(x),
+            "ln" => graph.ln(x),
+            "atan2" => graph.atan2(x, arguments[1]),
+            _ => {
+                let exponent = graph
+                    .as_number(arguments[1])
+                    .and_then(|exponent| exponent.as_integer())
+                    .filter(|exponent| exponent.abs() <= EXPONENT);
+                let Some(exponent) = exponent else {
+                    diagnostics.report(self.span, messages::exponent(EXPONENT));
+                    return None;
+                };
+                if exponent < 0 && graph.vanishes(x) {
+                    diagnostics.report(self.span, messages::division_by_zero());
+                    return None;
+                }
+                graph.powi(x, exponent as i32)
+            }
+        })
+    }
+
+    fn unknown(&self, vocabulary: &Vocabulary<'_>) -> String {
+        let name = self.function;
+        if let Some(meaning) = vocabulary.names.get(name) {
+            return messages::not_a_function(name, meaning.describe());
+        }
+        let alias = ALIASES.iter().find(|(alias, _)| *alias == name).map(|(_, function)| *function);
+        let meant = alias.or_else(|| nearest(name, FUNCTIONS.iter().map(|(function, _)| *function)));
+        messages::unknown_function(name, did_you_mean(meant))
+    }
+}

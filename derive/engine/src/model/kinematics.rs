@@ -1,0 +1,246 @@
+//! Kinematics in either direction, the other one derived, or checked where both are given.
+
+use proc_macro2::Span;
+
+use super::inverse::{self, Dependence, Inverse};
+use super::linear::{self, Linear};
+use super::lower::{Context, Vocabulary};
+use super::names::Meaning;
+use super::system::Kinematics;
+use crate::symbolic::{Expr, Graph, Matrix, Symbol};
+use crate::syntax::{Diagnostics, Expression, Quantity, did_you_mean, messages, nearest};
+
+/// One direction as written: for each left side, in order, its right side.
+type Side<'a> = Vec<Option<&'a Expression>>;
+
+/// (2.1) and (2.2); `None` where something was reported.
+pub(super) fn build(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnostics) -> Option<Kinematics> {
+    let declarations = vocabulary.declarations;
+    let n = declarations.coordinates.len();
+    match (&declarations.speeds, &declarations.kinematics) {
+        (None, None) => {
+            let graph = &vocabulary.graph;
+            let (unit, zero) = (Matrix::identity(graph, n), vec![graph.zero(); n]);
+            Some(Kinematics { a: unit.clone(), a0: zero.clone(), b: unit, b0: zero, pivots: Vec::new() })
+        }
+        (None, Some(kinematics)) => {
+            diagnostics.report(kinematics.span, messages::kinematics_without_speeds());
+            None
+        }
+        (Some(speeds), None) => {
+            diagnostics.report(speeds.span, messages::speeds_without_kinematics());
+            None
+        }
+        (Some(speeds), Some(kinematics)) => {
+            let fits = speeds.names.len() == n;
+            if !fits {
+                diagnostics.report(speeds.span, messages::number_of_speeds(speeds.names.len(), n));
+            }
+            let (of_speeds, of_rates) = sort(vocabulary, diagnostics)?;
+            let of_speeds = complete(vocabulary, of_speeds, kinematics.span, Direction::Speeds, diagnostics);
+            let of_rates = complete(vocabulary, of_rates, kinematics.span, Direction::Rates, diagnostics);
+            let of_speeds = of_speeds.map(|side| one_direction(vocabulary, &side, Direction::Speeds, diagnostics));
+            let of_rates = of_rates.map(|side| one_direction(vocabulary, &side, Direction::Rates, diagnostics));
+            if !fits {
+                return None;
+            }
+            match (of_speeds, of_rates) {
+                (Some(of_speeds), Some(of_rates)) => {
+                    checked(vocabulary, of_speeds?, of_rates?, kinematics.span, diagnostics)
+                }
+                (Some(of_speeds), None) => {
+                    let Linear { coefficients: b, constant: b0 } = of_speeds?;
+                    let speeds = vocabulary.speeds.clone();
+                    let (a, a0, pivots) = inverted(vocabulary, &b, &b0, &speeds, kinematics.span, diagnostics)?;
+                    Some(Kinematics { a, a0, b, b0, pivots })
+                }
+                (None, Some(of_rates)) => {
+                    let Linear { coefficients: a, constant: a0 } = of_rates?;
+                    let rates = vocabulary.rates.clone();
+                    let (b, b0, pivots) = inverted(vocabulary, &a, &a0, &rates, kinematics.span, diagnostics)?;
+                    Some(Kinematics { a, a0, b, b0, pivots })
+                }
+                (None, None) => None,
+            }
+        }
+    }
+}
+
+/// What the left sides are.
+#[derive(Clone, Copy, PartialEq)]
+enum Direction {
+    /// `v1 = ..` (2.2)
+    Speeds,
+    /// `dot(x) = ..` (2.1)
+    Rates,
+}
+
+/// Sorts the entries by their left sides; each may stand once.
+fn sort<'a>(vocabulary: &Vocabulary<'a>, diagnostics: &mut Diagnostics) -> Option<(Side<'a>, Side<'a>)> {
+    let kinematics = vocabulary.declarations.kinematics.as_ref()?;
+    let mut of_speeds: Side<'a> = vec![None; vocabulary.speeds.len()];
+    let mut of_rates: Side<'a> = vec![None; vocabulary.coordinates.len()];
+    let mut sound = true;
+    for (left, right) in &kinematics.entries {
+        let name = left.ident().to_string();
+        let slot = match (left, vocabulary.names.get(&name)) {
+            (Quantity::Name(_), Some(Meaning::Speed(i))) => of_speeds.get_mut(i),
+            (Quantity::Rate(..), Some(Meaning::Coordinate(i))) => of_rates.get_mut(i),
+            _ => None,
+        };
+        let message = match slot {
+            Some(slot) if slot.is_none() => {
+                *slot = Some(right);
+                continue;
+            }
+            Some(_) => messages::kinematics_twice(name),
+            None => wrong_left_side(vocabulary, left),
+        };
+        diagnostics.report(left.place(), message);
+        sound = false;
+    }
+    sound.then_some((of_speeds, of_rates))
+}
+
+fn wrong_left_side(vocabulary: &Vocabulary<'_>, left: &Quantity) -> String {
+    let name = left.ident().to_string();
+    let declarations = vocabulary.declarations;
+    match (vocabulary.names.get(&name), left) {
+        (Some(Meaning::Coordinate(_)), Quantity::Name(_)) => messages::name_of_coordinate(name),
+        (Some(Meaning::Speed(_)), Quantity::Rate(..)) => messages::acceleration("dot", name),
+        (Some(meaning), _) => messages::kinematics_left_side(name, meaning.describe()),
+        (None, _) => {
+            let speeds = declarations.speeds.iter().flat_map(|speeds| &speeds.names);
+            let candidates: Vec<String> = match left {
+                Quantity::Name(_) => speeds.map(|name| name.ident.to_string()).collect(),
+                Quantity::Rate(..) => declarations.coordinates.iter().map(|name| name.ident.to_string()).collect(),
+            };
+            let hint = did_you_mean(nearest(&name, candidates.iter().map(String::as_str)));
+            messages::unknown_name(name, hint)
+        }
+    }
+}
+
+/// One direction, if any of it is given; then all of it must be.
+fn complete<'a>(
+    vocabulary: &Vocabulary<'_>,
+    side: Side<'a>,
+    span: Span,
+    direction: Direction,
+    diagnostics: &mut Diagnostics,
+) -> Option<Vec<&'a Expression>> {
+    if side.iter().all(Option::is_none) {
+        return None;
+    }
+    let symbols = match direction {
+        Direction::Speeds => &vocabulary.speeds,
+        Direction::Rates => &vocabulary.rates,
+    };
+    let missing = side.iter().zip(symbols).filter(|(given, _)| given.is_none());
+    let missing: Vec<String> = missing.map(|(_, symbol)| format!("`{}`", vocabulary.graph.name(*symbol))).collect();
+    if !missing.is_empty() {
+        diagnostics.report(span, messages::kinematics_missing(missing.join(", ")));
+    }
+    side.into_iter().collect()
+}
+
+/// Lowers one direction and splits it into its matrix and the rest.
+fn one_direction(
+    vocabulary: &mut Vocabulary<'_>,
+    side: &[&Expression],
+    direction: Direction,
+    diagnostics: &mut Diagnostics,
+) -> Option<Linear> {
+    let (context, what) = match direction {
+        Direction::Speeds => (Context::SPEEDS, "rates"),
+        Direction::Rates => (Context::RATES, "speeds"),
+    };
+    let lowered: Vec<Option<Expr>> = side
+        .iter()
+        .map(|expression| vocabulary.lower(expression, context, diagnostics).map(|lowered| lowered.expr))
+        .collect();
+    let rows: Vec<Expr> = lowered.into_iter().collect::<Option<_>>()?;
+    let variables = match direction {
+        Direction::Speeds => vocabulary.rates.clone(),
+        Direction::Rates => vocabulary.speeds.clone(),
+    };
+    let graph = &mut vocabulary.graph;
+    linear::split(graph, &rows, &variables)
+        .map_err(|refused| {
+            for nonlinear in refused {
+                let variable = graph.name(nonlinear.variable);
+                let derivative = graph.display(nonlinear.derivative);
+                let place = side[nonlinear.row].place();
+                diagnostics.report(place, messages::kinematics_not_linear(what, variable, derivative));
+            }
+        })
+        .ok()
+}
+
+/// The other direction of `left = matrix·right + bias`.
+fn inverted(
+    vocabulary: &mut Vocabulary<'_>,
+    matrix: &Matrix,
+    bias: &[Expr],
+    left: &[Symbol],
+    span: Span,
+    diagnostics: &mut Diagnostics,
+) -> Option<(Matrix, Vec<Expr>, Vec<Expr>)> {
+    let graph = &mut vocabulary.graph;
+    match inverse::inverse(graph, matrix) {
+        Ok(Inverse { matrix: inverse, pivots }) => {
+            let moved = inverse.mul_vec(graph, bias);
+            let rest = moved.into_iter().map(|entry| graph.neg(entry)).collect();
+            Some((inverse, rest, pivots))
+        }
+        Err(Dependence(coefficients)) => {
+            let combination = combination(graph, &coefficients, left);
+            diagnostics.report(span, messages::kinematics_not_invertible(combination));
+            None
+        }
+    }
+}
+
+fn combination(graph: &mut Graph, coefficients: &[Expr], left: &[Symbol]) -> String {
+    let vars = graph.vars(left);
+    let terms: Vec<Expr> = coefficients.iter().zip(vars).map(|(c, v)| graph.mul(*c, v)).collect();
+    let sum = graph.sum(&terms);
+    graph.display(sum)
+}
+
+/// Both directions as given, if each undoes the other.
+fn checked(
+    vocabulary: &mut Vocabulary<'_>,
+    of_speeds: Linear,
+    of_rates: Linear,
+    span: Span,
+    diagnostics: &mut Diagnostics,
+) -> Option<Kinematics> {
+    let Linear { coefficients: b, constant: b0 } = of_speeds;
+    let Linear { coefficients: a, constant: a0 } = of_rates;
+    // The chart's singularities are those of B, whoever writes down its inverse.
+    let speeds = vocabulary.speeds.clone();
+    let (_, _, pivots) = inverted(vocabulary, &b, &b0, &speeds, span, diagnostics)?;
+    let graph = &mut vocabulary.graph;
+    let product = b.mul(graph, &a);
+    let shift = b.mul_vec(graph, &a0);
+    let n = speeds.len();
+    for i in 0..n {
+        for j in 0..n {
+            let unit = if i == j { graph.one() } else { graph.zero() };
+            if !graph.identical(product.get(i, j), unit) {
+                let (row, column) = (graph.name(speeds[i]), graph.name(speeds[j]));
+                let found = graph.display(product.get(i, j));
+                diagnostics.report(span, messages::kinematics_disagree(row, column, found));
+                return None;
+            }
+        }
+        let rest = graph.add(shift[i], b0[i]);
+        if !graph.vanishes(rest) {
+            let (row, found) = (graph.name(speeds[i]), graph.display(rest));
+            diagnostics.report(span, messages::kinematics_biases_disagree(row, found));
+            return None;
+        }
+    }
+    Some(Kinematics { a, a0, b, b0, pivots })
+}

@@ -1,0 +1,325 @@
+//! From an expression as written to an expression of the graph.
+
+use quote::ToTokens;
+
+use super::functions::Call;
+use super::names::{Meaning, Mentions, Names};
+use crate::symbolic::{Expr, Graph, Kind, Rational, Symbol};
+use crate::syntax::{Declarations, Diagnostics, Expression, Operator, Term, messages};
+
+/// What an expression may mention, by where it stands, and the rule as a clause of a message.
+#[derive(Clone, Copy)]
+pub(super) struct Context {
+    pub allowed: Mentions,
+    pub rule: &'static str,
+}
+
+const PLACE: Mentions = Mentions::PARAMETERS.and(Mentions::TIME).and(Mentions::COORDINATES);
+
+impl Context {
+    pub const SPEEDS: Context = Context { allowed: PLACE.and(Mentions::RATES), rule: messages::RULE_SPEEDS };
+    pub const RATES: Context = Context { allowed: PLACE.and(Mentions::SPEEDS), rule: messages::RULE_RATES };
+    pub const INERTIA: Context = Context { allowed: PLACE, rule: messages::RULE_INERTIA };
+    pub const POTENTIAL: Context = Context { allowed: PLACE, rule: messages::RULE_POTENTIAL };
+    pub const FORCES: Context = Context {
+        allowed: PLACE.and(Mentions::SPEEDS).and(Mentions::RATES).and(Mentions::INPUTS),
+        rule: messages::RULE_FORCES,
+    };
+    pub const CONSTRAINT: Context =
+        Context { allowed: PLACE.and(Mentions::SPEEDS).and(Mentions::RATES), rule: messages::RULE_CONSTRAINT };
+    pub const CONFIGURATION: Context =
+        Context { allowed: PLACE.and(Mentions::FURTHER), rule: messages::RULE_CONFIGURATION };
+    pub const COMPLEMENT: Context = Context { allowed: PLACE, rule: messages::RULE_COMPLEMENT };
+    pub const COMPLEMENT_OF_RATES: Context =
+        Context { allowed: PLACE.and(Mentions::FURTHER), rule: messages::RULE_COMPLEMENT };
+    pub const NUMBER: Context = Context { allowed: Mentions::NONE, rule: messages::RULE_NUMBER };
+    /// Where a define is used decides, not where it stands.
+    pub const DEFINE: Context = Context {
+        allowed: PLACE.and(Mentions::FURTHER).and(Mentions::SPEEDS).and(Mentions::RATES).and(Mentions::INPUTS),
+        rule: "",
+    };
+}
+
+/// An expression of the graph and what it mentions.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lowered {
+    pub expr: Expr,
+    pub mentions: Mentions,
+}
+
+/// The symbols of a model, by their names.
+pub(super) struct Vocabulary<'a> {
+    pub declarations: &'a Declarations,
+    pub graph: Graph,
+    pub names: Names,
+    pub time: Symbol,
+    /// One for each field; only scalar ones are ever used.
+    pub fields: Vec<Symbol>,
+    /// Which fields some expression mentions.
+    pub used: Vec<bool>,
+    pub coordinates: Vec<Symbol>,
+    pub further: Vec<Symbol>,
+    pub speeds: Vec<Symbol>,
+    /// The rates of the initial coordinates; the speeds themselves where these have no names.
+    pub rates: Vec<Symbol>,
+    pub inputs: Vec<Symbol>,
+    /// `None` before a define is lowered, and where that failed.
+    pub defines: Vec<Option<Lowered>>,
+}
+
+impl<'a> Vocabulary<'a> {
+    pub fn new(declarations: &'a Declarations, names: Names) -> Self {
+        let mut graph = Graph::new();
+        let time = graph.symbol("t", Kind::Time);
+        let mut symbols =
+            |names: Vec<String>, kind| -> Vec<Symbol> { names.iter().map(|name| graph.symbol(name, kind)).collect() };
+        let of = |names: &[crate::syntax::Name]| names.iter().map(|name| name.ident.to_string()).collect::<Vec<_>>();
+        let coordinate_names = of(&declarations.coordinates);
+        let rate_names = |format: fn(&String) -> String| coordinate_names.iter().map(format).collect::<Vec<_>>();
+        let fields = symbols(declarations.fields.iter().map(|f| f.ident.to_string()).collect(), Kind::Parameter);
+        let coordinates = symbols(coordinate_names.clone(), Kind::Coordinate);
+        let further = match &declarations.configuration {
+            Some(configuration) => symbols(of(&configuration.further), Kind::Coordinate),
+            None => Vec::new(),
+        };
+        let (speeds, rates) = match &declarations.speeds {
+            Some(speeds) => {
+                let speeds = symbols(of(&speeds.names), Kind::Speed);
+                (speeds, symbols(rate_names(|x| format!("dot({x})")), Kind::Speed))
+            }
+            None => {
+                let speeds = symbols(rate_names(|x| format!("dot_{x}")), Kind::Speed);
+                (speeds.clone(), speeds)
+            }
+        };
+        let inputs = symbols(of(&declarations.inputs), Kind::Input);
+        Vocabulary {
+            declarations,
+            graph,
+            names,
+            time,
+            used: vec![false; fields.len()],
+            fields,
+            coordinates,
+            further,
+            speeds,
+            rates,
+            inputs,
+            defines: vec![None; declarations.defines.len()],
+        }
+    }
+
+    /// The expression in the graph. `None` where something in it was reported, now or before.
+    pub fn lower(
+        &mut self,
+        expression: &Expression,
+        context: Context,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Lowered> {
+        let terms = expression.terms();
+        let mut mentions = Mentions::NONE;
+        let mut values: Vec<Option<Value>> = Vec::with_capacity(terms.len());
+        // `dot` takes the name itself, not its value.
+        let mut named = vec![false; terms.len()];
+        for (term, _) in terms {
+            if let Term::Call(function, arguments) = term
+                && matches!(function.as_str(), "dot" | "ddot")
+            {
+                arguments.iter().for_each(|argument| named[*argument] = true);
+            }
+        }
+        for (at, (term, span)) in terms.iter().enumerate() {
+            let value = match term {
+                Term::Hole => None,
+                Term::Number(number) => Some(Value::Expr(self.graph.number(number.clone()))),
+                Term::Name(_) if named[at] => None,
+                Term::Name(name) => {
+                    let lowered = self.name(name, *span, context, diagnostics);
+                    mentions |= lowered.map_or(Mentions::NONE, |lowered| lowered.mentions);
+                    lowered.map(|lowered| Value::Expr(lowered.expr))
+                }
+                Term::Negative(of) => take(&mut values, *of).map(|of| of.scaled(Rational::MINUS_ONE)),
+                Term::Binary(operator, left, right) => {
+                    let right = take(&mut values, *right);
+                    let left = take(&mut values, *left);
+                    match (operator, left, right) {
+                        (Operator::Divide, left, Some(right)) => {
+                            let right = right.finish(&mut self.graph);
+                            if self.graph.vanishes(right) {
+                                diagnostics.report(*span, messages::division_by_zero());
+                                None
+                            } else {
+                                left.map(|left| {
+                                    let left = left.finish(&mut self.graph);
+                                    Value::Expr(self.graph.div(left, right))
+                                })
+                            }
+                        }
+                        (_, None, _) | (_, _, None) => None,
+                        (Operator::Add, Some(left), Some(right)) => Some(left.plus(right)),
+                        (Operator::Subtract, Some(left), Some(right)) => {
+                            Some(left.plus(right.scaled(Rational::MINUS_ONE)))
+                        }
+                        (_, Some(left), Some(right)) => {
+                            let (left, right) = (left.finish(&mut self.graph), right.finish(&mut self.graph));
+                            Some(Value::Expr(self.graph.mul(left, right)))
+                        }
+                    }
+                }
+                Term::Call(function, arguments) if named_function(function) => {
+                    let lowered = self.dot(function, *span, arguments, terms, context, diagnostics);
+                    mentions |= lowered.map_or(Mentions::NONE, |lowered| lowered.mentions);
+                    lowered.map(|lowered| Value::Expr(lowered.expr))
+                }
+                Term::Call(function, arguments) => {
+                    let values: Vec<Option<Expr>> = arguments
+                        .iter()
+                        .map(|argument| take(&mut values, *argument).map(|value| value.finish(&mut self.graph)))
+                        .collect();
+                    let call = Call { function, span: *span, count: arguments.len() };
+                    call.lower(&values, self, diagnostics).map(Value::Expr)
+                }
+            };
+            values.push(value);
+        }
+        let expr = values.pop()??.finish(&mut self.graph);
+        Some(Lowered { expr, mentions })
+    }
+
+    /// A name and what it mentions, if that may occur here.
+    fn name(
+        &mut self,
+        name: &str,
+        span: proc_macro2::Span,
+        context: Context,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Lowered> {
+        let Some(meaning) = self.names.get(name) else {
+            diagnostics.report(span, self.names.unknown(name));
+            return None;
+        };
+        let (symbol, mentions) = match meaning {
+            Meaning::Field(i) => {
+                let field = &self.declarations.fields[i];
+                if !field.scalar {
+                    let ty = field.ty.to_token_stream();
+                    diagnostics.report(span, messages::field_not_scalar(name, ty));
+                    return None;
+                }
+                self.used[i] = true;
+                (self.fields[i], Mentions::PARAMETERS)
+            }
+            Meaning::Coordinate(i) => (self.coordinates[i], Mentions::COORDINATES),
+            Meaning::Further(i) => (self.further[i], Mentions::FURTHER),
+            Meaning::Speed(i) => (self.speeds[i], Mentions::SPEEDS),
+            Meaning::Input(i) => (self.inputs[i], Mentions::INPUTS),
+            Meaning::Time => (self.time, Mentions::TIME),
+            Meaning::Pi => (self.graph.pi_symbol(), Mentions::NONE),
+            Meaning::Define(i) => {
+                let define = self.defines[i]?;
+                let beyond = define.mentions.beyond(context.allowed);
+                if beyond != Mentions::NONE {
+                    let contains = beyond.describe();
+                    diagnostics.report(span, messages::define_out_of_place(name, contains, context.rule));
+                    return None;
+                }
+                return Some(define);
+            }
+        };
+        if mentions.beyond(context.allowed) != Mentions::NONE {
+            let what = mentions.describe();
+            diagnostics.report(span, messages::out_of_place(name, what, context.rule));
+            return None;
+        }
+        Some(Lowered { expr: self.graph.var(symbol), mentions })
+    }
+
+    /// `dot(x)`
+    fn dot(
+        &mut self,
+        function: &str,
+        span: proc_macro2::Span,
+        arguments: &[usize],
+        terms: &[(Term, proc_macro2::Span)],
+        context: Context,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Lowered> {
+        let message = match arguments {
+            [argument] => match &terms[*argument] {
+                (Term::Name(name), place) => match self.names.get(name) {
+                    None => {
+                        diagnostics.report(*place, self.names.unknown(name));
+                        return None;
+                    }
+                    Some(Meaning::Speed(_)) => messages::acceleration(function, name),
+                    Some(Meaning::Coordinate(i)) if function == "dot" => {
+                        if !Mentions::RATES.beyond(context.allowed).eq(&Mentions::NONE) {
+                            let text = format!("dot({name})");
+                            diagnostics.report(span, messages::out_of_place(text, "a rate", context.rule));
+                            return None;
+                        }
+                        let expr = self.graph.var(self.rates[i]);
+                        return Some(Lowered { expr, mentions: Mentions::RATES });
+                    }
+                    Some(Meaning::Coordinate(_)) => messages::acceleration(function, name),
+                    Some(Meaning::Further(_)) => {
+                        let what = Mentions::FURTHER.describe();
+                        messages::out_of_place(name, what, context.rule)
+                    }
+                    Some(meaning) => messages::dot_of_no_coordinate(name, meaning.describe()),
+                },
+                (Term::Hole, _) => return None,
+                (Term::Call(inner, _), _) if named_function(inner) => messages::acceleration_of_rate(),
+                _ => messages::dot_of_expression(),
+            },
+            [_, _] if function == "dot" => messages::scalar_product(),
+            _ => messages::wrong_number_of_arguments(function, 1, arguments.len()),
+        };
+        diagnostics.report(span, message);
+        None
+    }
+}
+
+/// Functions that take the name of a coordinate.
+fn named_function(function: &str) -> bool {
+    matches!(function, "dot" | "ddot")
+}
+
+/// Every term but the last is an operand exactly once.
+fn take(values: &mut [Option<Value>], at: usize) -> Option<Value> {
+    values[at].take()
+}
+
+/// A sum is kept open until something else is done with it, so that a long one becomes one node.
+enum Value {
+    Expr(Expr),
+    Sum(Vec<(Rational, Expr)>),
+}
+
+impl Value {
+    fn terms(self) -> Vec<(Rational, Expr)> {
+        match self {
+            Value::Expr(expr) => vec![(Rational::ONE, expr)],
+            Value::Sum(terms) => terms,
+        }
+    }
+
+    fn plus(self, other: Value) -> Value {
+        let mut terms = self.terms();
+        terms.extend(other.terms());
+        Value::Sum(terms)
+    }
+
+    fn scaled(self, factor: Rational) -> Value {
+        let mut terms = self.terms();
+        terms.iter_mut().for_each(|(coefficient, _)| *coefficient = coefficient.mul(&factor));
+        Value::Sum(terms)
+    }
+
+    fn finish(self, graph: &mut Graph) -> Expr {
+        match self {
+            Value::Expr(expr) => expr,
+            Value::Sum(terms) => graph.linear(Rational::ZERO, &terms),
+        }
+    }
+}

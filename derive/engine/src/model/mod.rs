@@ -1,0 +1,139 @@
+//! From declarations to the initial system: names resolved, kinds checked, expressions in one graph.
+//!
+//! | file | idea |
+//! |---|---|
+//! | [`names`] | one namespace, and what an expression mentions |
+//! | [`functions`] | the functions of the language |
+//! | [`lower`] | expressions as written become expressions of the graph |
+//! | [`defines`] | intermediate names in the order of their dependence |
+//! | [`kinematics`] | ẋ = A v + a0 (2.1), v = B ẋ + b0 (2.2): one given, the other derived |
+//! | [`linear`] | splitting what is linear, decided |
+//! | [`inverse`], [`blocks`] | inverses with few divisors |
+//! | [`dynamics`] | M, h* (2.3), V |
+//! | [`rows`] | constraints, sorted by what they bind |
+//! | [`configuration`] | x = g(q, t) (4.2) |
+//! | [`choice`] | independent speeds, or D by rows (3.1) |
+//! | [`numbers`] | values for judging |
+//! | [`system`] | the result |
+
+mod blocks;
+mod choice;
+mod configuration;
+mod defines;
+mod dynamics;
+mod functions;
+mod inverse;
+mod kinematics;
+mod linear;
+mod lower;
+mod names;
+mod numbers;
+mod rows;
+mod system;
+#[cfg(test)]
+mod tests;
+
+pub use system::{ComplementRow, Configuration, IndependentSpeed, InitialSystem, Kinematics, Places, Row, RowKind};
+
+use crate::symbolic::{Expr, Symbol};
+use crate::syntax::{Declarations, Diagnostics, messages};
+use lower::{Context, Vocabulary};
+use names::Names;
+
+/// Builds the initial system of a model.
+///
+/// # Errors
+///
+/// Everything in the model that makes no sense. Declarations that are not
+/// [`complete`](Declarations::complete) give errors that are not the user's.
+pub fn build(declarations: &Declarations) -> Result<InitialSystem, Diagnostics> {
+    let mut diagnostics = Diagnostics::new();
+    let system = attempt(declarations, &mut diagnostics);
+    match system {
+        Some(system) => diagnostics.result(system),
+        None => Err(diagnostics),
+    }
+}
+
+/// `None` only if something was reported.
+fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option<InitialSystem> {
+    let names = Names::of(declarations, diagnostics);
+    for (missing, statement) in [
+        (declarations.coordinates.is_empty(), "coordinates"),
+        (declarations.inertia.is_none(), "inertia"),
+        (declarations.forces.is_none(), "forces"),
+    ] {
+        if missing {
+            diagnostics.report(&declarations.ident, messages::statement_missing(statement));
+        }
+    }
+    if declarations.coordinates.is_empty() {
+        return None;
+    }
+    let vocabulary = &mut Vocabulary::new(declarations, names);
+    defines::lower(vocabulary, diagnostics);
+
+    // All that is written, before anything depends on the kinematics, so that no error hides another.
+    let kinematics = kinematics::build(vocabulary, diagnostics);
+    let inertia = declarations.inertia.as_ref().and_then(|given| dynamics::inertia(given, vocabulary, diagnostics));
+    let forces = declarations.forces.as_ref().and_then(|given| dynamics::forces(given, vocabulary, diagnostics));
+    let potential = declarations
+        .potential_energy
+        .as_ref()
+        .and_then(|given| vocabulary.lower(given, Context::POTENTIAL, diagnostics).map(|lowered| lowered.expr));
+    let written = rows::lower(vocabulary, diagnostics);
+    let configuration = configuration::build(vocabulary, diagnostics);
+    let failed = declarations.configuration.is_some() && configuration.is_none();
+    let complement = if failed { None } else { choice::complement(configuration.as_ref(), vocabulary, diagnostics) };
+    let start = numbers::start(vocabulary, diagnostics);
+    let nominal = numbers::nominal(vocabulary, diagnostics);
+
+    // Rates become A v + a0.
+    let kinematics = kinematics?;
+    let rates = rates(&kinematics, vocabulary);
+    let rows = rows::finish(&written, &rates, vocabulary, diagnostics);
+    let forces = forces.map(|forces| vocabulary.graph.substitute(&forces, &rates));
+    let independent =
+        if failed { None } else { choice::independent(&kinematics, configuration.as_ref(), vocabulary, diagnostics) };
+
+    let used = vocabulary.fields.iter().zip(&vocabulary.used).filter(|(_, used)| **used);
+    let parameters = used.map(|(field, _)| *field).collect();
+    let model = declarations.ident.span();
+    Some(InitialSystem {
+        time: vocabulary.time,
+        parameters,
+        inputs: vocabulary.inputs.clone(),
+        coordinates: vocabulary.coordinates.clone(),
+        speeds: vocabulary.speeds.clone(),
+        kinematics,
+        inertia: inertia?,
+        forces: forces?,
+        potential,
+        rows,
+        configuration,
+        independent,
+        complement,
+        places: Places {
+            model,
+            kinematics: declarations.kinematics.as_ref().map_or(model, |statement| statement.span),
+            inertia: declarations.inertia.as_ref().map_or(model, |statement| statement.span),
+            independent: declarations.independent.as_ref().map_or(model, |statement| statement.span),
+            complement: declarations.complement.as_ref().map_or(model, |statement| statement.span),
+        },
+        start,
+        nominal,
+        graph: std::mem::take(&mut vocabulary.graph),
+    })
+}
+
+/// What replaces each `dot(x)`: nothing where the rates are the speeds themselves.
+fn rates(kinematics: &Kinematics, vocabulary: &mut Vocabulary<'_>) -> Vec<(Symbol, Expr)> {
+    if vocabulary.rates == vocabulary.speeds {
+        return Vec::new();
+    }
+    let graph = &mut vocabulary.graph;
+    let speeds = graph.vars(&vocabulary.speeds);
+    let moved = kinematics.a.mul_vec(graph, &speeds);
+    let values: Vec<Expr> = moved.into_iter().zip(&kinematics.a0).map(|(rate, bias)| graph.add(rate, *bias)).collect();
+    vocabulary.rates.iter().copied().zip(values).collect()
+}

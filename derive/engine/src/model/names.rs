@@ -1,0 +1,164 @@
+//! One namespace: fields, coordinates, speeds, inputs and defines, and what an expression mentions.
+
+use std::collections::BTreeMap;
+use std::ops::BitOrAssign;
+
+use proc_macro2::Ident;
+
+use super::functions::FUNCTIONS;
+use crate::syntax::{Declarations, Diagnostics, did_you_mean, messages, nearest};
+
+/// Names with a meaning of their own.
+const RESERVED: [(&str, &str); 4] =
+    [("t", "the time"), ("PI", "the number π"), ("N", "the inertial frame"), ("O", "the origin")];
+
+/// What a name stands for; the index is that in the list of its kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Meaning {
+    Field(usize),
+    Coordinate(usize),
+    /// A generalised coordinate from `configuration(of(..))`.
+    Further(usize),
+    Speed(usize),
+    Input(usize),
+    Define(usize),
+    Time,
+    Pi,
+}
+
+impl Meaning {
+    /// For messages: "`x` is ..".
+    pub fn describe(self) -> &'static str {
+        match self {
+            Meaning::Field(_) => "a field",
+            Meaning::Coordinate(_) => "a coordinate",
+            Meaning::Further(_) => "a coordinate of `configuration`",
+            Meaning::Speed(_) => "a speed",
+            Meaning::Input(_) => "an input",
+            Meaning::Define(_) => "a define",
+            Meaning::Time => "the time",
+            Meaning::Pi => "the number π",
+        }
+    }
+}
+
+/// All names of a model.
+pub(super) struct Names {
+    table: BTreeMap<String, Meaning>,
+}
+
+impl Names {
+    /// Enters every name; reserved and duplicate ones are reported.
+    pub fn of(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Self {
+        let mut names =
+            Names { table: BTreeMap::from([("t".to_owned(), Meaning::Time), ("PI".to_owned(), Meaning::Pi)]) };
+        let mut enter = |ident: &Ident, meaning| names.enter(ident, meaning, diagnostics);
+        for (i, field) in declarations.fields.iter().enumerate() {
+            enter(&field.ident, Meaning::Field(i));
+        }
+        for (i, name) in declarations.coordinates.iter().enumerate() {
+            enter(&name.ident, Meaning::Coordinate(i));
+        }
+        for (i, name) in declarations.configuration.iter().flat_map(|c| &c.further).enumerate() {
+            enter(&name.ident, Meaning::Further(i));
+        }
+        for (i, name) in declarations.speeds.iter().flat_map(|s| &s.names).enumerate() {
+            enter(&name.ident, Meaning::Speed(i));
+        }
+        for (i, name) in declarations.inputs.iter().enumerate() {
+            enter(&name.ident, Meaning::Input(i));
+        }
+        for (i, define) in declarations.defines.iter().enumerate() {
+            enter(&define.name, Meaning::Define(i));
+        }
+        names
+    }
+
+    fn enter(&mut self, ident: &Ident, meaning: Meaning, diagnostics: &mut Diagnostics) {
+        let name = ident.to_string();
+        if let Some((_, what)) = RESERVED.iter().find(|(reserved, _)| *reserved == name) {
+            diagnostics.report(ident, messages::reserved_name(name, what));
+        } else if let Some(other) = self.table.get(&name) {
+            diagnostics.report(ident, messages::duplicate_name(name, meaning.describe(), other.describe()));
+        } else if let Some(of) = self.rate_of(&name) {
+            diagnostics.report(ident, messages::name_of_rate(&name, of));
+        } else {
+            self.table.insert(name, meaning);
+        }
+    }
+
+    /// The coordinate of which this is the name of the rate in emitted code.
+    fn rate_of<'a>(&self, name: &'a str) -> Option<&'a str> {
+        let of = name.strip_prefix("dot_")?;
+        matches!(self.table.get(of), Some(Meaning::Coordinate(_) | Meaning::Further(_))).then_some(of)
+    }
+
+    pub fn get(&self, name: &str) -> Option<Meaning> {
+        self.table.get(name).copied()
+    }
+
+    /// The error for a name that is not there.
+    pub fn unknown(&self, name: &str) -> String {
+        if FUNCTIONS.iter().any(|(function, _)| *function == name) {
+            return messages::function_as_name(name);
+        }
+        if let Some((_, what)) = RESERVED.iter().find(|(reserved, _)| *reserved == name) {
+            return messages::reserved_not_supported(name, what);
+        }
+        let hint = match self.rate_of(name) {
+            Some(of) => messages::write_dot(of),
+            None => did_you_mean(nearest(name, self.table.keys().map(String::as_str))),
+        };
+        messages::unknown_name(name, hint)
+    }
+}
+
+/// A set of kinds of names.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Mentions(u8);
+
+impl Mentions {
+    pub const NONE: Self = Mentions(0);
+    pub const PARAMETERS: Self = Mentions(1);
+    pub const TIME: Self = Mentions(2);
+    pub const COORDINATES: Self = Mentions(4);
+    pub const FURTHER: Self = Mentions(8);
+    pub const SPEEDS: Self = Mentions(16);
+    pub const RATES: Self = Mentions(32);
+    pub const INPUTS: Self = Mentions(64);
+
+    pub const fn and(self, other: Mentions) -> Mentions {
+        Mentions(self.0 | other.0)
+    }
+
+    /// Those that are not in `allowed`.
+    pub fn beyond(self, allowed: Mentions) -> Mentions {
+        Mentions(self.0 & !allowed.0)
+    }
+
+    pub fn intersects(self, other: Mentions) -> bool {
+        self.0 & other.0 != 0
+    }
+
+    /// For messages: the kind of what is mentioned, the most changeable first.
+    pub fn describe(self) -> &'static str {
+        [
+            (Self::INPUTS, "an input"),
+            (Self::RATES, "a rate"),
+            (Self::SPEEDS, "a speed"),
+            (Self::FURTHER, "a coordinate of `configuration`"),
+            (Self::COORDINATES, "a coordinate"),
+            (Self::TIME, "the time"),
+            (Self::PARAMETERS, "a parameter"),
+        ]
+        .into_iter()
+        .find(|(kind, _)| self.intersects(*kind))
+        .map_or("a number", |(_, text)| text)
+    }
+}
+
+impl BitOrAssign for Mentions {
+    fn bitor_assign(&mut self, other: Mentions) {
+        *self = self.and(other);
+    }
+}

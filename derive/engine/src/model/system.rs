@@ -1,0 +1,133 @@
+//! The initial system: kinematics (2.1), (2.2), dynamics (2.3) and constraints.
+
+use proc_macro2::Span;
+
+use crate::symbolic::{Expr, Graph, Matrix, Symbol};
+use crate::syntax::Place;
+
+/// A model with its names resolved: n coordinates x and n speeds v that nothing ties yet, and the rows that will.
+///
+/// Every expression is over [`Graph`]'s symbols; rates `dot(x)` are replaced by A v + a0.
+#[derive(Clone, Debug)]
+pub struct InitialSystem {
+    /// The arena of all expressions.
+    pub graph: Graph,
+    /// t.
+    pub time: Symbol,
+    /// The fields that the model mentions, in the order of the fields.
+    pub parameters: Vec<Symbol>,
+    /// The inputs.
+    pub inputs: Vec<Symbol>,
+    /// x, the initial coordinates, n of them.
+    pub coordinates: Vec<Symbol>,
+    /// v, n of them; named `dot_x` where the model does not name them.
+    pub speeds: Vec<Symbol>,
+    /// (2.1), (2.2).
+    pub kinematics: Kinematics,
+    /// M of (2.3), n x n, symmetric.
+    pub inertia: Matrix,
+    /// h* of (2.3), n.
+    pub forces: Vec<Expr>,
+    /// V, where the model gives it.
+    pub potential: Option<Expr>,
+    /// The constraints in order.
+    pub rows: Vec<Row>,
+    /// x = g(q, t) (4.2), where the model gives it.
+    pub configuration: Option<Configuration>,
+    /// The independent speeds that the model asks for.
+    pub independent: Option<Vec<IndependentSpeed>>,
+    /// D of (3.1) by rows, where the model gives it.
+    pub complement: Option<Vec<ComplementRow>>,
+    /// Where statements about the whole begin, for errors.
+    pub places: Places,
+    /// Numbers for judging, from `start`: coordinates and speeds.
+    pub start: Vec<(Symbol, f64)>,
+    /// Numbers for judging, from `nominal`: parameters.
+    pub nominal: Vec<(Symbol, f64)>,
+}
+
+/// Both directions of the kinematics.
+#[derive(Clone, Debug)]
+pub struct Kinematics {
+    /// A(x, t), n x n: ẋ = A v + a0 (2.1).
+    pub a: Matrix,
+    /// a0(x, t), n.
+    pub a0: Vec<Expr>,
+    /// B(x, t), n x n: v = B ẋ + b0 (2.2).
+    pub b: Matrix,
+    /// b0(x, t), n.
+    pub b0: Vec<Expr>,
+    /// What must not vanish for the inverse to exist: factors of the pivots that are not numbers.
+    pub pivots: Vec<Expr>,
+}
+
+/// A constraint.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Its name, and that of its multiplier.
+    pub name: String,
+    /// The name's place.
+    pub span: Span,
+    /// What it binds.
+    pub kind: RowKind,
+}
+
+/// What a constraint binds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RowKind {
+    /// f(x, t) = 0.
+    Position(Expr),
+    /// φ(v, x, t) = 0, linear in v.
+    Velocity(Expr),
+}
+
+/// x = g(q, t) (4.2).
+#[derive(Clone, Debug)]
+pub struct Configuration {
+    /// q: the initial coordinates that are not given by others, then the further ones.
+    pub coordinates: Vec<Symbol>,
+    /// q̇, named `dot_q`.
+    pub rates: Vec<Symbol>,
+    /// g, one for each x.
+    pub map: Vec<Expr>,
+    /// The statement's place.
+    pub span: Span,
+}
+
+/// A speed that the model wants to be independent.
+#[derive(Clone, Debug)]
+pub struct IndependentSpeed {
+    /// Its name in the state: the speed's own, or `dot_x`.
+    pub name: String,
+    /// The speed, in v; in the rates q̇ where there is a configuration.
+    pub expr: Expr,
+    /// Its place in the list.
+    pub place: Place,
+}
+
+/// A row of D.
+#[derive(Clone, Debug)]
+pub struct ComplementRow {
+    /// The name of the row's speed u.
+    pub name: String,
+    /// The entries: n, one for each v; where there is a configuration, one for each q̇.
+    pub entries: Vec<Expr>,
+    /// The name's place.
+    pub span: Span,
+}
+
+/// Places for errors about a whole statement. Where the model does not make the statement, the place is the name of
+/// the struct.
+#[derive(Clone, Copy, Debug)]
+pub struct Places {
+    /// The struct's name.
+    pub model: Span,
+    /// `kinematics`
+    pub kinematics: Span,
+    /// `inertia`
+    pub inertia: Span,
+    /// `independent`
+    pub independent: Span,
+    /// `complement`
+    pub complement: Span,
+}

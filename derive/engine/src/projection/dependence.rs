@@ -1,0 +1,145 @@
+//! Which rows are independent, which repeat others, and which contradict them.
+
+use super::Simplifier;
+use super::constraints::DifferentiatedRow;
+use super::elimination::{Choice, Elimination, eliminate};
+use super::messages;
+use crate::symbolic::modular::Field;
+use crate::symbolic::{Expr, Graph, Matrix};
+use crate::syntax::Diagnostics;
+
+/// A position row whose derivative is a combination of velocity rows: f serves assembly and projection, the rows stand
+/// once in C.
+#[derive(Clone, Debug)]
+pub struct Merged {
+    /// The position row.
+    pub row: usize,
+    /// ḟ = Σ coefficient·row, over rows that are kept.
+    pub combination: Vec<(usize, Expr)>,
+}
+
+/// The rows sorted by what becomes of them, as indices in the order of declaration.
+#[derive(Clone, Debug, Default)]
+pub struct Sorted {
+    /// Independent rows: these make up C.
+    pub kept: Vec<usize>,
+    /// Position rows that velocity rows repeat.
+    pub merged: Vec<Merged>,
+}
+
+/// The first rows, in the given order, that are independent of those before them: linear algebra modulo a prime.
+pub fn independent(graph: &Graph, rows: &[Vec<Expr>], order: &[usize]) -> Vec<usize> {
+    for point in 0..6 {
+        if let Some(found) = independent_at(graph, rows, order, point) {
+            return found;
+        }
+    }
+    order.to_vec()
+}
+
+fn independent_at(graph: &Graph, rows: &[Vec<Expr>], order: &[usize], point: usize) -> Option<Vec<usize>> {
+    let mut basis: Vec<(usize, Vec<u64>)> = Vec::new();
+    let mut found = Vec::new();
+    for i in order {
+        let mut field = Field(3);
+        let mut row = Vec::with_capacity(rows[*i].len());
+        for e in &rows[*i] {
+            let (f, value) = graph.residue(*e, point)?;
+            field = f;
+            row.push(value);
+        }
+        for (pivot, other) in &basis {
+            let factor = field.neg(row[*pivot]);
+            for (a, b) in row.iter_mut().zip(other) {
+                *a = field.add(*a, field.mul(factor, *b));
+            }
+        }
+        if let Some(pivot) = row.iter().position(|a| *a != 0) {
+            let scale = field.recip(row[pivot])?;
+            row.iter_mut().for_each(|a| *a = field.mul(scale, *a));
+            basis.push((pivot, row));
+            found.push(*i);
+        }
+    }
+    Some(found)
+}
+
+/// The coefficients of a dependent row over the rows that `elimination` has reduced.
+pub fn combination(graph: &mut Graph, simplifier: &mut dyn Simplifier, e: &Elimination, row: &[Expr]) -> Vec<Expr> {
+    let at_pivots: Vec<Expr> = e.pivots.iter().map(|j| row[*j]).collect();
+    let coefficients = e.inverse.transpose().mul_vec(graph, &at_pivots);
+    coefficients.into_iter().map(|c| if graph.vanishes(c) { graph.zero() } else { simplifier.one(graph, c) }).collect()
+}
+
+/// Sorts the rows; rows that depend on each other without a reason are errors that show the combination.
+pub fn sort(
+    graph: &mut Graph,
+    simplifier: &mut dyn Simplifier,
+    rows: &[DifferentiatedRow],
+    columns: usize,
+    errors: &mut Diagnostics,
+) -> Sorted {
+    // Velocity rows first: where a position row repeats them, they are the ones that stay.
+    let (positions, velocities): (Vec<usize>, Vec<usize>) = (0..rows.len()).partition(|i| rows[*i].position.is_some());
+    let order: Vec<usize> = velocities.into_iter().chain(positions).collect();
+    let gradients: Vec<Vec<Expr>> = rows.iter().map(|row| row.gradient.clone()).collect();
+    let mut kept = independent(graph, &gradients, &order);
+    kept.sort_unstable();
+    let dependent: Vec<usize> = (0..rows.len()).filter(|i| !kept.contains(i)).collect();
+    if dependent.is_empty() {
+        return Sorted { kept, merged: Vec::new() };
+    }
+    let c = Matrix::from_rows(kept.iter().map(|i| gradients[*i].clone()).collect(), columns);
+    // Pivots that serve only this question must not become guards of the model.
+    let merged = graph.without_new_assumptions(|graph| relate(graph, simplifier, rows, &kept, &dependent, &c, errors));
+    Sorted { kept, merged }
+}
+
+/// Each dependent row as a combination of the kept ones: merged, or an error.
+fn relate(
+    graph: &mut Graph,
+    simplifier: &mut dyn Simplifier,
+    rows: &[DifferentiatedRow],
+    kept: &[usize],
+    dependent: &[usize],
+    c: &Matrix,
+    errors: &mut Diagnostics,
+) -> Vec<Merged> {
+    let mut merged = Vec::new();
+    let choice = Choice { columns: vec![true; c.columns()], new_guards: true };
+    let Ok(elimination) = eliminate(graph, simplifier, c, &choice) else { return merged };
+    for i in dependent {
+        let row = &rows[*i];
+        let coefficients = combination(graph, simplifier, &elimination, &row.gradient);
+        let terms: Vec<Expr> = coefficients.iter().zip(kept).map(|(c, j)| graph.mul(*c, rows[*j].velocity)).collect();
+        let total = graph.sum(&terms);
+        let parts: Vec<(usize, Expr)> =
+            kept.iter().copied().zip(coefficients).filter(|(_, c)| !graph.is_zero(*c)).collect();
+        let text = text_of(graph, rows, &parts);
+        if !graph.identical(row.velocity, total) {
+            errors.report(row.span, messages::contradictory(&row.name, &text));
+        } else if row.position.is_some() && parts.iter().any(|(j, _)| rows[*j].position.is_none()) {
+            merged.push(Merged { row: *i, combination: parts });
+        } else {
+            errors.report(row.span, messages::dependent(&row.name, row.position.is_some(), &text));
+        }
+    }
+    merged
+}
+
+/// `2*a - cos(theta)*b` over the names of rows.
+fn text_of(graph: &Graph, rows: &[DifferentiatedRow], parts: &[(usize, Expr)]) -> String {
+    if parts.is_empty() {
+        return "0".to_owned();
+    }
+    let terms = parts.iter().map(|(j, c)| {
+        let name = format!("`{}`", rows[*j].name);
+        match graph.display(*c).as_str() {
+            "1" => name,
+            "-1" => format!("-{name}"),
+            text if text.contains(' ') => format!("({text})*{name}"),
+            text => format!("{text}*{name}"),
+        }
+    });
+    terms.collect::<Vec<_>>().join(" + ")
+}

@@ -1,0 +1,79 @@
+//! Every quantity by which the result divides, signed and named.
+
+use super::equations::{Equations, Guard, GuardKind};
+use crate::symbolic::{Expr, Graph, Node, Rational, Stage};
+
+/// Guards as they are found: those of the state and those of parameters.
+#[derive(Clone, Debug, Default)]
+pub struct Guards {
+    /// Functions of the state.
+    pub state: Vec<Guard>,
+    /// Functions of parameters.
+    pub parameters: Vec<Guard>,
+}
+
+impl Guards {
+    /// A quantity that must not vanish: each of its factors must not, so that a change of sign is seen in every one.
+    pub fn pivot(&mut self, graph: &Graph, e: Expr, origin: &str) {
+        let (_, factors) = graph.as_term(e);
+        for (base, _) in factors {
+            self.push(graph, base, GuardKind::Pivot, origin);
+        }
+    }
+
+    /// A pivot of M_d. Even powers are watched by their signed base: J cos²θ stays positive while cos θ runs through
+    /// zero. `Err` with the text of a pivot that is a negative number.
+    pub fn positive(&mut self, graph: &mut Graph, e: Expr, origin: &str) -> Result<(), String> {
+        let (coefficient, factors) = graph.as_term(e);
+        let mut rest = Vec::new();
+        for (base, exponent) in factors {
+            if exponent % 2 == 0 {
+                self.push(graph, base, GuardKind::Pivot, origin);
+            } else {
+                rest.push((base, exponent));
+            }
+        }
+        let sign = if coefficient.is_negative() { Rational::MINUS_ONE } else { Rational::ONE };
+        let rest = graph.power_product(sign, &rest);
+        match graph.as_number(rest) {
+            Some(number) if number.is_negative() => Err(graph.display(e)),
+            Some(_) => Ok(()),
+            None => {
+                self.push(graph, rest, GuardKind::Positive, origin);
+                Ok(())
+            }
+        }
+    }
+
+    fn push(&mut self, graph: &Graph, expr: Expr, kind: GuardKind, origin: &str) {
+        let list = match graph.stage(expr) {
+            Stage::Constant => return,
+            Stage::Parameter => &mut self.parameters,
+            _ => &mut self.state,
+        };
+        let known = |g: &Guard| g.expr == expr && (g.kind == kind || g.kind == GuardKind::Positive);
+        if list.iter().any(known) {
+            return;
+        }
+        list.retain(|g| g.expr != expr);
+        list.push(Guard { expr, name: graph.display(expr), kind, origin: origin.to_owned() });
+    }
+}
+
+/// Adds the parameter-only quantities by which some expression divides, and those that were cancelled on the way.
+pub fn add_parameter_divisors(equations: &mut Equations) {
+    let roots = equations.roots();
+    let graph = &equations.graph;
+    let mut divisors: Vec<Expr> = graph.cancelled().collect();
+    for e in graph.reachable(&roots) {
+        if let Node::Product(factors) = graph.node(e) {
+            let below = factors.iter().filter(|(base, k)| *k < 0 && graph.stage(*base) == Stage::Parameter);
+            divisors.extend(below.map(|(base, _)| *base));
+        }
+    }
+    let mut guards = Guards { state: Vec::new(), parameters: std::mem::take(&mut equations.parameter_guards) };
+    for e in divisors {
+        guards.push(graph, e, GuardKind::Pivot, "a divisor");
+    }
+    equations.parameter_guards = guards.parameters;
+}

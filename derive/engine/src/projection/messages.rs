@@ -1,0 +1,98 @@
+//! Every sentence that the projection can say to a user, in one place.
+
+/// Two kinds of rows say different things about the same velocities.
+pub(crate) fn contradictory(name: &str, combination: &str) -> String {
+    format!(
+        "constraint `{name}` contradicts the others: its velocities are bound as {combination}, but to other values; \
+         no motion satisfies both"
+    )
+}
+
+/// A row repeats others.
+pub(crate) fn dependent(name: &str, position: bool, combination: &str) -> String {
+    let what = if position { "the derivative of constraint" } else { "constraint" };
+    format!(
+        "{what} `{name}` depends on the other rows: it is {combination}; remove it, its reaction cannot be told apart"
+    )
+}
+
+/// The configuration leaves a row without a variable, and unsatisfied.
+pub(crate) fn excluded_by_configuration(name: &str) -> String {
+    format!("constraint `{name}` cannot hold: the configuration fixes its velocities to other values")
+}
+
+/// f(g(q, t)) is not zero although the configuration was to satisfy it.
+pub(crate) fn configuration_misses(name: &str, value: &str) -> String {
+    format!("the configuration does not satisfy constraint `{name}`: there its left minus right side is {value}, not 0")
+}
+
+/// The named speeds cannot be independent.
+pub(crate) fn not_independent(row: &str, speeds: &[&str]) -> String {
+    format!("these speeds are not independent: constraint `{row}` binds them; choose others among {}", list(speeds))
+}
+
+/// An independent speed is named twice.
+pub(crate) fn independent_twice(name: &str) -> String {
+    format!("the independent speed `{name}` is named twice")
+}
+
+/// An entry of `independent` is no speed.
+pub(crate) fn not_a_speed(speeds: &[&str]) -> String {
+    format!("an independent speed must be one of {}; for other combinations give `complement`", list(speeds))
+}
+
+/// k is not n - m.
+pub(crate) fn wrong_number_independent(given: usize, n: usize, m: usize) -> String {
+    format!(
+        "{given} independent speed{} named, but the system has {}: {n} speeds less {m} independent row{}",
+        if given == 1 { " is" } else { "s are" },
+        n - m,
+        if m == 1 { "" } else { "s" }
+    )
+}
+
+/// D Cᵀ is not zero.
+pub(crate) fn not_a_complement(row: &str, constraint: &str, product: &str) -> String {
+    format!("row `{row}` of the complement violates constraint `{constraint}`: their product is {product}, not 0")
+}
+
+/// D has the wrong number of rows.
+pub(crate) fn wrong_number_complement(given: usize, n: usize, m: usize) -> String {
+    format!(
+        "the complement has {given} row{}, but needs {}: {n} speeds less {m} independent row{}",
+        if given == 1 { "" } else { "s" },
+        n.saturating_sub(m),
+        if m == 1 { "" } else { "s" }
+    )
+}
+
+/// The rows of D are dependent.
+pub(crate) fn complement_dependent(row: &str) -> String {
+    format!("row `{row}` of the complement is a combination of the rows above it")
+}
+
+/// M_d is singular, whatever the parameters.
+pub(crate) fn singular_inertia(speed: &str) -> String {
+    format!(
+        "no inertia acts on the independent speed `{speed}`: its pivot of D M D\u{1d40} vanishes identically; \
+         the inertia must be definite on the motions that the constraints leave"
+    )
+}
+
+/// M_d has a negative number on its diagonal.
+pub(crate) fn negative_inertia(speed: &str, value: &str) -> String {
+    format!("the inertia is not positive: the pivot of D M D\u{1d40} for speed `{speed}` is {value}")
+}
+
+/// The configuration removes freedoms that no row states.
+pub(crate) fn reaction_undetermined(name: &str, missing: usize) -> String {
+    format!(
+        "the reaction of `{name}` cannot be told from that of the configuration, which removes {missing} more \
+         freedom{} than the constraints state; declare them all or leave `{name}` out",
+        if missing == 1 { "" } else { "s" }
+    )
+}
+
+fn list(names: &[&str]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,191 @@
+//! The steps in order.
+
+use super::constraints::differentiate;
+use super::dependence::{Sorted, sort};
+use super::dynamics::{reduce, to_state};
+use super::equations::Equations;
+use super::factorisation::factorise;
+use super::guards::Guards;
+use super::reactions::{Motion, reactions};
+use super::tangent::{Carriers, carriers, tangent};
+use super::{Simplifier, constraints::DifferentiatedRow, messages};
+use crate::model::InitialSystem;
+use crate::symbolic::{Expr, Matrix, Rational, Stage};
+use crate::syntax::Diagnostics;
+
+/// Projects the initial system onto the motions that its constraints leave, or says why it cannot.
+pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Result<Equations, Diagnostics> {
+    let mut errors = Diagnostics::new();
+    let rows = differentiate(&mut system);
+    let n = system.speeds.len();
+    let sorted = sort(&mut system.graph, simplifier, &rows, n, &mut errors);
+    let carriers = carriers(&mut system, simplifier);
+    check_configuration(&mut system, simplifier, &rows, &carriers, &mut errors);
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    let Some(tangent) = tangent(&mut system, simplifier, &rows, &sorted.kept, &carriers, &mut errors) else {
+        return Err(errors);
+    };
+    let mut guards = Guards::default();
+    for pivot in system.kinematics.pivots.clone() {
+        let pivot = to_state(&mut system.graph, &carriers, &tangent, &[pivot])[0];
+        guards.pivot(&system.graph, pivot, "the kinematics are not invertible where it vanishes (2.2)");
+    }
+    for pivot in &tangent.pivots {
+        guards.pivot(
+            &system.graph,
+            *pivot,
+            "the independent speeds do not determine the others where it vanishes (3.1)",
+        );
+    }
+    let dynamics = reduce(&mut system, simplifier, &carriers, &tangent);
+    let name = |system: &InitialSystem, i: usize| system.graph.name(tangent.speeds[i]).to_owned();
+    let span = system.places.inertia;
+    let factors = match factorise(&mut system.graph, simplifier, &dynamics.mass_matrix) {
+        Ok(factors) => factors,
+        Err(i) => {
+            errors.report(span, messages::singular_inertia(&name(&system, i)));
+            return Err(errors);
+        }
+    };
+    for (p, pivot) in factors.order.iter().zip(&factors.pivots) {
+        if let Err(text) = guards.positive(&mut system.graph, *pivot, "a pivot of D M D\u{1d40} (4.10)") {
+            errors.report(span, messages::negative_inertia(&name(&system, *p), &text));
+        }
+    }
+    let accelerations = factors.solve(&mut system.graph, simplifier, &dynamics.forcing);
+    let accelerations: Vec<Expr> = accelerations.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
+    let motion = Motion { carriers: &carriers, tangent: &tangent, dynamics: &dynamics, accelerations: &accelerations };
+    let Some(reactions) = reactions(&mut system, simplifier, &rows, &sorted.kept, motion, &mut errors) else {
+        return Err(errors);
+    };
+    for pivot in &reactions.pivots {
+        let origin = "the reactions are not determined where it vanishes (3.6)";
+        guards.positive(&mut system.graph, *pivot, origin).ok();
+    }
+    errors.result(())?;
+    let multipliers: Vec<Expr> =
+        reactions.multipliers.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
+    let names = name_multipliers(&mut system, &rows, &sorted, &multipliers);
+    let rates: Vec<Expr> = carriers.motion.iter().map(|(_, rate)| *rate).collect();
+    let rates = to_state(&mut system.graph, &carriers, &tangent, &rates[..carriers.coordinates.len()]);
+    let coordinate_rates = rates.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
+    let x = system.graph.vars(&system.coordinates);
+    let initial_coordinates = to_state(&mut system.graph, &carriers, &tangent, &x);
+    let v = system.graph.vars(&system.speeds);
+    let velocities = to_state(&mut system.graph, &carriers, &tangent, &v);
+    let velocities = velocities.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
+    let kinetic_energy = kinetic_energy(&mut system);
+    let select = |f: &dyn Fn(&DifferentiatedRow) -> Expr| sorted.kept.iter().map(|i| f(&rows[*i])).collect::<Vec<_>>();
+    let gradients = sorted.kept.iter().map(|i| rows[*i].gradient.clone()).collect();
+    let positions: Vec<&DifferentiatedRow> = rows.iter().filter(|row| row.position.is_some()).collect();
+    let mut notes: Vec<String> = tangent.note.iter().cloned().collect();
+    notes.extend(names.notes);
+    Ok(Equations {
+        time: system.time,
+        state_coordinates: carriers.coordinates.clone(),
+        state_speeds: tangent.speeds.clone(),
+        coordinate_rates,
+        accelerations,
+        mass_matrix: dynamics.mass_matrix,
+        forcing: dynamics.forcing,
+        initial_coordinates,
+        velocities,
+        complement: dynamics.complement,
+        complement_bias: dynamics.bias,
+        multipliers: names.multipliers,
+        guards: guards.state,
+        parameter_guards: guards.parameters,
+        kinematic_matrix: system.kinematics.a,
+        kinematic_bias: system.kinematics.a0,
+        inertia: system.inertia,
+        forces: system.forces,
+        constraint_matrix: Matrix::from_rows(gradients, n),
+        constraint_bias: select(&|row| row.bias),
+        position_residual: positions.iter().filter_map(|row| row.position).collect(),
+        velocity_residual: select(&|row| row.velocity),
+        kinetic_energy,
+        potential_energy: system.potential,
+        row_names: sorted.kept.iter().map(|i| rows[*i].name.clone()).collect(),
+        position_names: positions.iter().map(|row| row.name.clone()).collect(),
+        multiplier_names: names.names,
+        multiplier_rows: names.rows,
+        notes,
+        parameters: system.parameters,
+        inputs: system.inputs,
+        coordinates: system.coordinates,
+        speeds: system.speeds,
+        graph: system.graph,
+    })
+}
+
+/// f(g(q, t)) ≡ 0 for the position rows that the configuration is to satisfy.
+fn check_configuration(
+    system: &mut InitialSystem,
+    simplifier: &mut dyn Simplifier,
+    rows: &[DifferentiatedRow],
+    carriers: &Carriers,
+    errors: &mut Diagnostics,
+) {
+    for row in rows {
+        let Some(f) = row.position else { continue };
+        let value = system.graph.substitute(&[f], &carriers.map)[0];
+        // A function of q is a constraint of the second stage; of t and parameters alone it can only be wrong.
+        if system.graph.stage(value) <= Stage::Time && !system.graph.vanishes(value) {
+            let value = simplifier.one(&mut system.graph, value);
+            let text = system.graph.display(value);
+            errors.report(row.span, messages::configuration_misses(&row.name, &text));
+        }
+    }
+}
+
+/// T = vᵀ M v / 2.
+fn kinetic_energy(system: &mut InitialSystem) -> Expr {
+    let graph = &mut system.graph;
+    let v = graph.vars(&system.speeds);
+    let momenta = system.inertia.mul_vec(graph, &v);
+    let terms: Vec<Expr> = momenta.into_iter().zip(v).map(|(p, v)| graph.mul(p, v)).collect();
+    let twice = graph.sum(&terms);
+    graph.scale(Rational::Small(1, 2), twice)
+}
+
+/// The multipliers under the names of their constraints, in the order of declaration.
+struct NamedMultipliers {
+    names: Vec<String>,
+    rows: Vec<Option<usize>>,
+    multipliers: Vec<Expr>,
+    notes: Vec<String>,
+}
+
+/// A merged position row that repeats one velocity row shares its reaction: C_f = s C_φ, so λ_f = λ_φ / s.
+fn name_multipliers(
+    system: &mut InitialSystem,
+    rows: &[DifferentiatedRow],
+    sorted: &Sorted,
+    multipliers: &[Expr],
+) -> NamedMultipliers {
+    let graph = &mut system.graph;
+    let mut named = NamedMultipliers { names: vec![], rows: vec![], multipliers: vec![], notes: vec![] };
+    for (i, row) in rows.iter().enumerate() {
+        if let Some(position) = sorted.kept.iter().position(|j| *j == i) {
+            named.names.push(row.name.clone());
+            named.rows.push(Some(position));
+            named.multipliers.push(multipliers[position]);
+        } else if let Some(merged) = sorted.merged.iter().find(|merged| merged.row == i) {
+            let carriers: Vec<&str> = merged.combination.iter().map(|(j, _)| rows[*j].name.as_str()).collect();
+            let mut note = format!("the derivative of `{}` is carried by `{}`", row.name, carriers.join("`, `"));
+            if let [(j, s)] = merged.combination.as_slice()
+                && graph.stage(*s) <= Stage::Parameter
+                && let Some(position) = sorted.kept.iter().position(|kept| kept == j)
+            {
+                named.names.push(row.name.clone());
+                named.rows.push(None);
+                named.multipliers.push(graph.div(multipliers[position], *s));
+                note.push_str("; both names give the one reaction");
+            }
+            named.notes.push(note);
+        }
+    }
+    named
+}

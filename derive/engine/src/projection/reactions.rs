@@ -1,0 +1,145 @@
+//! The orthogonal projection: λ for all rows, once, in the initial space.
+//!
+//! With v̇ known, M v̇ - h* = Cᵀ λ (2.8a) has a solution, and the rows of C at its pivots give it without M⁻¹ and
+//! without M_c: λ = C_d⁻ᵀ (M v̇ - h*)_d. It equals (3.6) wherever M is regular, and holds where M is not. Where the
+//! pivots of C would need guards of their own, (C Cᵀ) λ = C (M v̇ - h*) is solved instead. With a configuration the rows
+//! that bind its rates come first, in the carriers' space; the rows that it satisfies carry what is left.
+
+use super::Simplifier;
+use super::constraints::DifferentiatedRow;
+use super::dynamics::{Dynamics, to_state};
+use super::elimination::{Choice, eliminate};
+use super::factorisation::factorise;
+use super::messages;
+use super::tangent::{Carriers, Tangent};
+use crate::model::InitialSystem;
+use crate::symbolic::{Expr, Graph, Matrix};
+use crate::syntax::Diagnostics;
+
+/// The multipliers of the rows of C.
+#[derive(Clone, Debug)]
+pub struct Reactions {
+    /// λ, in the order of the rows.
+    pub multipliers: Vec<Expr>,
+    /// Pivots of C Cᵀ where it was needed.
+    pub pivots: Vec<Expr>,
+}
+
+/// What the reactions are computed from.
+#[derive(Copy, Clone)]
+pub struct Motion<'a> {
+    /// The first stage.
+    pub carriers: &'a Carriers,
+    /// The second stage.
+    pub tangent: &'a Tangent,
+    /// The reduced system.
+    pub dynamics: &'a Dynamics,
+    /// u̇.
+    pub accelerations: &'a [Expr],
+}
+
+/// λ of all kept rows.
+pub fn reactions(
+    system: &mut InitialSystem,
+    simplifier: &mut dyn Simplifier,
+    rows: &[DifferentiatedRow],
+    kept: &[usize],
+    motion: Motion<'_>,
+    errors: &mut Diagnostics,
+) -> Option<Reactions> {
+    let Motion { carriers, tangent, dynamics, accelerations } = motion;
+    let (n, m, k) = (system.speeds.len(), kept.len(), accelerations.len());
+    if m < n - k && tangent.rows.len() < m {
+        // The configuration has reactions of its own that no row states.
+        for (_, i) in kept.iter().enumerate().filter(|(position, _)| !tangent.rows.contains(position)) {
+            errors.report(rows[*i].span, messages::reaction_undetermined(&rows[*i].name, n - k - m));
+        }
+        return None;
+    }
+    let graph = &mut system.graph;
+    let c = |graph: &mut Graph, simplifier: &mut dyn Simplifier, list: &[usize]| {
+        let gradients = list.iter().map(|p| to_state(graph, carriers, tangent, &rows[kept[*p]].gradient)).collect();
+        Matrix::from_rows(gradients, n).map(|entries| entries.iter().map(|e| simplifier.one(graph, *e)).collect())
+    };
+    let all: Vec<usize> = (0..m).collect();
+    if tangent.overlapping {
+        let rate = rates(graph, &dynamics.complement, accelerations, &dynamics.bias);
+        let c = c(graph, simplifier, &all);
+        let r: Vec<Expr> = (0..n).map(|i| residual(graph, &dynamics.inertia, &dynamics.forces, &rate, i)).collect();
+        return Some(solve(graph, simplifier, &c, &r));
+    }
+    // Rows that bind the carriers: the configuration's own reactions do no work there and drop out.
+    let mut found = among_carriers(graph, simplifier, motion);
+    let absorbed: Vec<usize> = all.into_iter().filter(|p| !tangent.rows.contains(p)).collect();
+    let mut multipliers = vec![graph.zero(); m];
+    tangent.rows.iter().zip(&found.multipliers).for_each(|(p, lambda)| multipliers[*p] = *lambda);
+    if !absorbed.is_empty() {
+        // Rows that the configuration satisfies carry what is left in the initial space.
+        let rate = rates(graph, &dynamics.complement, accelerations, &dynamics.bias);
+        let carried = c(graph, simplifier, &tangent.rows).transpose().mul_vec(graph, &found.multipliers);
+        let r: Vec<Expr> = (0..n)
+            .map(|i| {
+                let total = residual(graph, &dynamics.inertia, &dynamics.forces, &rate, i);
+                graph.sub(total, carried[i])
+            })
+            .collect();
+        let c = c(graph, simplifier, &absorbed);
+        let rest = solve(graph, simplifier, &c, &r);
+        absorbed.iter().zip(&rest.multipliers).for_each(|(p, lambda)| multipliers[*p] = *lambda);
+        found.pivots.extend(rest.pivots);
+    }
+    Some(Reactions { multipliers, pivots: found.pivots })
+}
+
+/// λ of the rows that bind the carriers, from M1 ẇ - h1 = C2ᵀ λ.
+fn among_carriers(graph: &mut Graph, simplifier: &mut dyn Simplifier, motion: Motion<'_>) -> Reactions {
+    let Motion { carriers, tangent, dynamics, accelerations } = motion;
+    let rate = rates(graph, &tangent.complement, accelerations, &tangent.bias);
+    let (inertia, forces) = (&dynamics.carrier_inertia, &dynamics.carrier_forces);
+    let Some(elimination) = &tangent.elimination else {
+        let c = tangent.gradients.map(|entries| to_state(graph, carriers, tangent, entries));
+        let r: Vec<Expr> = (0..c.columns()).map(|i| residual(graph, inertia, forces, &rate, i)).collect();
+        return solve(graph, simplifier, &c, &r);
+    };
+    let mut at_pivots = Vec::with_capacity(elimination.pivots.len());
+    for j in &elimination.pivots {
+        let r = residual(graph, inertia, forces, &rate, *j);
+        at_pivots.push(simplifier.one(graph, r));
+    }
+    let inverse = elimination.inverse.map(|entries| to_state(graph, carriers, tangent, entries));
+    Reactions { multipliers: inverse.transpose().mul_vec(graph, &at_pivots), pivots: Vec::new() }
+}
+
+/// Dᵀ u̇ + a.
+fn rates(graph: &mut Graph, d: &Matrix, accelerations: &[Expr], bias: &[Expr]) -> Vec<Expr> {
+    let linear = d.transpose().mul_vec(graph, accelerations);
+    linear.into_iter().zip(bias).map(|(a, b)| graph.add(a, *b)).collect()
+}
+
+/// The i-th component of M v̇ - h*.
+fn residual(graph: &mut Graph, inertia: &Matrix, forces: &[Expr], rate: &[Expr], i: usize) -> Expr {
+    let terms: Vec<Expr> = inertia.row(i).iter().zip(rate).map(|(m, a)| graph.mul(*m, *a)).collect();
+    let inertial = graph.sum(&terms);
+    graph.sub(inertial, forces[i])
+}
+
+/// λ from Cᵀ λ = r, which has a solution.
+fn solve(graph: &mut Graph, simplifier: &mut dyn Simplifier, c: &Matrix, r: &[Expr]) -> Reactions {
+    let choice = Choice { columns: vec![true; c.columns()], new_guards: false };
+    if let Ok(elimination) = eliminate(graph, simplifier, c, &choice) {
+        let at_pivots: Vec<Expr> = elimination.pivots.iter().map(|j| r[*j]).collect();
+        let multipliers = elimination.inverse.transpose().mul_vec(graph, &at_pivots);
+        return Reactions { multipliers, pivots: Vec::new() };
+    }
+    let transposed = c.transpose();
+    let normal = c.mul(graph, &transposed).map(|e| e.iter().map(|e| simplifier.one(graph, *e)).collect());
+    let right = c.mul_vec(graph, r);
+    match factorise(graph, simplifier, &normal) {
+        Ok(factors) => {
+            let multipliers = factors.solve(graph, simplifier, &right);
+            Reactions { multipliers, pivots: factors.pivots }
+        }
+        // C has full row rank here, so C Cᵀ is regular; kept as a value rather than a panic.
+        Err(_) => Reactions { multipliers: right, pivots: vec![graph.zero()] },
+    }
+}

@@ -1,0 +1,247 @@
+//! What a model says, as it says it: the result of reading, before any name is resolved.
+
+use proc_macro2::{Ident, Span};
+use syn::{Generics, Path, Type, Visibility};
+
+use super::diagnostics::Place;
+use super::expression::Expression;
+
+/// A derive input, statement by statement.
+#[derive(Clone, Debug)]
+pub struct Declarations {
+    /// The struct's name.
+    pub ident: Ident,
+    /// The struct's visibility, which the emitted types share.
+    pub vis: Visibility,
+    /// The struct's generics with their where-clause.
+    pub generics: Generics,
+    /// The struct's fields in order: parameters and what passes through.
+    pub fields: Vec<Field>,
+    /// `#[holonomy(..)]`.
+    pub options: Options,
+    /// `#[coordinates(..)]`, in order, without the further coordinates of `configuration`.
+    pub coordinates: Vec<Name>,
+    /// `#[speeds(..)]`; without it the speeds are the rates of the coordinates.
+    pub speeds: Option<Speeds>,
+    /// `#[inputs(..)]`.
+    pub inputs: Vec<Name>,
+    /// `#[define(..)]`, in order of appearance (which has no meaning).
+    pub defines: Vec<Define>,
+    /// `#[kinematics(..)]`, (2.1) or (2.2) or both.
+    pub kinematics: Option<Kinematics>,
+    /// `#[inertia(..)]`, M of (2.3).
+    pub inertia: Option<Inertia>,
+    /// `#[forces(..)]`, h* of (2.3).
+    pub forces: Option<List>,
+    /// `#[potential_energy(..)]`.
+    pub potential_energy: Option<Expression>,
+    /// `#[constraint(..)]`, in order.
+    pub constraints: Vec<Constraint>,
+    /// `#[configuration(..)]`, (4.2).
+    pub configuration: Option<Configuration>,
+    /// `#[independent(..)]`.
+    pub independent: Option<Independent>,
+    /// `#[complement(..)]`, D of (3.1) by rows.
+    pub complement: Option<Complement>,
+    /// `#[start(..)]`.
+    pub start: Vec<Assignment>,
+    /// Whether errors, if there are any, left no more than holes in expressions. Otherwise names or
+    /// entries are missing, and checks of the model would report what is not the user's mistake.
+    pub complete: bool,
+}
+
+/// A field of the struct.
+#[derive(Clone, Debug)]
+pub struct Field {
+    /// The field's name.
+    pub ident: Ident,
+    /// Its type as written.
+    pub ty: Type,
+    /// Whether the type is written `f64` or is one of the struct's type parameters: such a field is
+    /// a parameter of the equations as soon as one of them mentions it.
+    pub scalar: bool,
+    /// Its doc comment, line by line.
+    pub docs: Vec<String>,
+    /// `#[unit(..)]`.
+    pub unit: Option<Unit>,
+    /// `#[nominal(..)]`.
+    pub nominal: Option<Expression>,
+}
+
+/// A unit of measurement: base names with their exponents, sorted by name; empty for `1`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unit {
+    /// `kg*m/s` is `[("kg", 1), ("m", 1), ("s", -1)]`.
+    pub factors: Vec<(String, i32)>,
+}
+
+/// `#[holonomy(crate = path, simplify = off)]`.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The path under which emitted code finds the runtime.
+    pub krate: Path,
+    /// Whether the search for cheaper forms runs.
+    pub simplify: bool,
+}
+
+/// A name that a statement introduces, with the doc comment before it.
+#[derive(Clone, Debug)]
+pub struct Name {
+    /// The name.
+    pub ident: Ident,
+    /// Its doc comment, line by line.
+    pub docs: Vec<String>,
+}
+
+/// `#[speeds(..)]`.
+#[derive(Clone, Debug)]
+pub struct Speeds {
+    /// The names in order: v.
+    pub names: Vec<Name>,
+    /// The statement's own name, for errors about the whole.
+    pub span: Span,
+}
+
+/// What an equation may have alone on its left, or `independent` in its list: a name or the rate of
+/// a coordinate.
+#[derive(Clone, Debug)]
+pub enum Quantity {
+    /// `v1`
+    Name(Ident),
+    /// `dot(x)`; the span is that of `dot`.
+    Rate(Ident, Span),
+}
+
+impl Quantity {
+    /// The name inside.
+    pub fn ident(&self) -> &Ident {
+        match self {
+            Quantity::Name(ident) | Quantity::Rate(ident, _) => ident,
+        }
+    }
+
+    /// From `dot` (or the name) to the name.
+    pub fn place(&self) -> Place {
+        match self {
+            Quantity::Name(ident) => ident.into(),
+            Quantity::Rate(ident, span) => Place::between(*span, ident.span()),
+        }
+    }
+}
+
+/// `name = value`
+#[derive(Clone, Debug)]
+pub struct Assignment {
+    /// The left side.
+    pub name: Ident,
+    /// The right side.
+    pub value: Expression,
+}
+
+/// `#[define(mu = ..)]`
+pub type Define = Assignment;
+
+/// A list of expressions.
+#[derive(Clone, Debug)]
+pub struct List {
+    /// The expressions in order.
+    pub entries: Vec<Expression>,
+    /// The statement's own name.
+    pub span: Span,
+}
+
+/// `#[kinematics(..)]`
+#[derive(Clone, Debug)]
+pub struct Kinematics {
+    /// `v1 = ..` (2.2) or `dot(x) = ..` (2.1), in order of appearance.
+    pub entries: Vec<(Quantity, Expression)>,
+    /// The statement's own name.
+    pub span: Span,
+}
+
+/// `#[inertia(..)]`
+#[derive(Clone, Debug)]
+pub struct Inertia {
+    /// How M is written.
+    pub form: InertiaForm,
+    /// The statement's own name.
+    pub span: Span,
+}
+
+/// How M is written.
+#[derive(Clone, Debug)]
+pub enum InertiaForm {
+    /// `diag(a, b, ..)`
+    Diagonal(Vec<Expression>),
+    /// `matrix([a, b], [_, c])`
+    Matrix(Vec<InertiaRow>),
+}
+
+/// One `[a, _, ..]` of `matrix(..)`.
+#[derive(Clone, Debug)]
+pub struct InertiaRow {
+    /// The entries in order.
+    pub entries: Vec<InertiaEntry>,
+    /// The row's bracket.
+    pub span: Span,
+}
+
+/// One entry of `matrix(..)`.
+#[derive(Clone, Debug)]
+pub enum InertiaEntry {
+    /// As written.
+    Given(Expression),
+    /// `_`: equal to the entry across the diagonal.
+    Symmetric(Span),
+}
+
+/// `#[constraint(name: left == right)]`
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// The constraint's name: the name of its multiplier and of its reaction.
+    pub name: Ident,
+    /// The left side, on which λ acts.
+    pub left: Expression,
+    /// The right side.
+    pub right: Expression,
+}
+
+/// `#[configuration(of(alpha), x = .., z = 0)]`
+#[derive(Clone, Debug)]
+pub struct Configuration {
+    /// `of(..)`: generalised coordinates that are not initial ones.
+    pub further: Vec<Name>,
+    /// The initial coordinates that are given as functions of the others.
+    pub map: Vec<Assignment>,
+    /// The statement's own name.
+    pub span: Span,
+}
+
+/// `#[independent(v6, dot(phi))]`
+#[derive(Clone, Debug)]
+pub struct Independent {
+    /// The independent speeds in order: u.
+    pub entries: Vec<Quantity>,
+    /// The statement's own name.
+    pub span: Span,
+}
+
+/// `#[complement(w1 = [..], ..)]`
+#[derive(Clone, Debug)]
+pub struct Complement {
+    /// The rows of D in order.
+    pub rows: Vec<ComplementRow>,
+    /// The statement's own name.
+    pub span: Span,
+}
+
+/// One `w1 = [..]` of `complement`.
+#[derive(Clone, Debug)]
+pub struct ComplementRow {
+    /// The name of the row's speed.
+    pub name: Ident,
+    /// The row's entries.
+    pub entries: Vec<Expression>,
+    /// The row's bracket.
+    pub span: Span,
+}

@@ -1,0 +1,281 @@
+//! Every message about a model, in one table.
+//!
+//! In rustc's style: lower case at the start, the culprit in backticks, then what to do.
+
+use std::fmt::Display;
+
+/// Turns the table into one function per message, whose arguments are what the text names.
+macro_rules! messages {
+    ($($(#[$doc:meta])* $name:ident($($argument:ident),*) = $text:literal;)*) => {
+        $(
+            $(#[$doc])*
+            pub(crate) fn $name($($argument: impl Display),*) -> String {
+                format!($text)
+            }
+        )*
+    };
+}
+
+// The input as a whole.
+messages! {
+    not_a_struct(what) =
+        "a mechanism is declared on a struct with named fields, not on {what}";
+    tuple_struct() =
+        "the parameters of a mechanism need names: use a struct with named fields";
+    too_deep(depth) =
+        "nested more than {depth} deep; name a part of it with `define`";
+}
+
+// Statements.
+messages! {
+    statement_unknown(name, meant) =
+        "there is no statement `{name}`; did you mean `{meant}`?";
+    statement_planned(name) =
+        "the statement `{name}` is not supported yet; state the equations with `inertia`, `forces` and `constraint`";
+    statement_on_field(name) =
+        "the statement `{name}` belongs on the struct, not on a field";
+    statement_on_struct(name) =
+        "the statement `{name}` belongs on a field, not on the struct";
+    statement_twice(name) =
+        "`{name}` is given twice; make it one statement";
+    statement_empty(name) =
+        "`{name}` is empty";
+    statement_without_list(name) =
+        "expected a list in parentheses: `#[{name}(..)]`";
+    option_unknown(name, did_you_mean) =
+        "there is no option `{name}`{did_you_mean} (the options are `crate` and `simplify`)";
+    option_twice(name) =
+        "the option `{name}` is given twice";
+    option_crate() =
+        "expected a path, such as `crate = ::holonomy`";
+    option_simplify() =
+        "expected `on` or `off`";
+}
+
+// The form of a statement's entries.
+messages! {
+    name_expected() =
+        "expected a name";
+    comma_expected(name) =
+        "expected `,` after `{name}`";
+    attribute_on_name() =
+        "only doc comments can stand before a name here";
+    family() =
+        "families of names are not supported yet; write the names out";
+    keyword(name) =
+        "`{name}` is a keyword of Rust and cannot be a name here";
+    raw_identifier(name) =
+        "the raw identifier `{name}` cannot be a name in equations; choose another name";
+    assignment_expected(form) =
+        "expected `{form}`";
+    quantity_expected() =
+        "expected a name or the rate of a coordinate, such as `v1` or `dot(x)`";
+    one_expression() =
+        "expected one expression, found another after the comma";
+    inertia_form() =
+        "expected `diag(a, b, ..)` or `matrix([a, b, ..], [_, c, ..], ..)`";
+    matrix_row_expected() =
+        "expected a row in brackets: `[a, b, ..]`, with `_` for an entry that follows by symmetry";
+    constraint_form() =
+        "expected `name: left == right`; the name is that of the constraint's reaction";
+    equation_expected() =
+        "a constraint is an equation: expected `left == right`";
+    single_equals() =
+        "a constraint is written with `==`";
+    second_equation() =
+        "a constraint is one equation, this is a second `==`";
+    unit_form() =
+        "expected a unit such as `kg*m/s`: names with `*`, `/` and `powi(s, 2)`, or `1`";
+}
+
+// Expressions that are not part of an equation's language.
+messages! {
+    expression_expected() =
+        "expected an expression";
+    not_an_expression(error) =
+        "cannot read this expression: {error}";
+    operator_expected() =
+        "expected an operator";
+    attribute_in_expression() =
+        "attributes cannot stand inside an expression";
+    foreign_syntax() =
+        "not part of an equation: use numbers, names, `+ - * /`, parentheses and functions";
+    operator(operator) =
+        "the operator `{operator}` is not part of an equation: use `+`, `-`, `*` and `/`";
+    caret() =
+        "`^` is not a power in Rust; write `powi(x, 2)`";
+    equation_in_expression() =
+        "an equation cannot stand inside an expression; equations are stated by `constraint`";
+    call_of_no_name() =
+        "only functions with a plain name can be called, such as `sin(theta)`";
+    method_call(method) =
+        "functions are not called as methods; write `{method}(x)` instead of `x.{method}()`";
+    field_of_self(name) =
+        "fields are visible by name; write `{name}` instead of `self.{name}`";
+    component(name) =
+        "components such as `.{name}` are not supported yet; a name stands for a number";
+    path() =
+        "paths are not part of an equation: use plain names";
+    path_to_pi() =
+        "write `PI`, without a path";
+    index() =
+        "indices are not supported yet; a name stands for a number";
+    array() =
+        "arrays are not supported yet; write the components one by one";
+    tuple() =
+        "a tuple is not a number; separate entries by commas without parentheses";
+    condition(keyword) =
+        "`{keyword}` is not supported yet";
+    cast() =
+        "casts are not needed: every expression is a number";
+    underscore() =
+        "`_` stands for an entry by symmetry in `inertia(matrix(..))` only";
+    not_a_number() =
+        "only integers and decimal fractions are numbers here";
+    literal_suffix(digits, suffix) =
+        "write `{digits}` without the suffix `{suffix}`: numbers are exact and have no type";
+    literal_out_of_range(digits) =
+        "the number {digits} is out of range: numerators and denominators have up to 256 bits";
+}
+
+// Names.
+messages! {
+    reserved_name(name, what) =
+        "`{name}` is reserved for {what}; choose another name";
+    reserved_not_supported(name, what) =
+        "`{name}` stands for {what}, which is not supported yet";
+    duplicate_name(name, what, other) =
+        "`{name}` cannot be {what}: it is {other} already";
+    name_of_rate(name, of) =
+        "`{name}` is the name of the rate of `{of}` in the generated code; choose another name";
+    unknown_name(name, did_you_mean) =
+        "cannot find `{name}` in this model{did_you_mean}";
+    write_dot(of) =
+        "; the rate of `{of}` is written `dot({of})`";
+    field_not_scalar(name, ty) =
+        "the field `{name}` has the type `{ty}`; equations need `f64` or a type parameter";
+    out_of_place(name, what, rule) =
+        "`{name}` is {what}, but {rule}";
+    define_out_of_place(name, contains, rule) =
+        "the define `{name}` contains {contains}, but {rule}";
+    cycle(names) =
+        "the define is needed for its own value: {names}";
+}
+
+/// What may occur where, as the second half of a sentence.
+pub(crate) const RULE_SPEEDS: &str =
+    "the kinematics give a speed by parameters, coordinates, `t` and rates such as `dot(x)`";
+pub(crate) const RULE_RATES: &str = "the kinematics give a rate by parameters, coordinates, `t` and speeds";
+pub(crate) const RULE_INERTIA: &str = "the inertia may depend on parameters, coordinates and `t` only";
+pub(crate) const RULE_POTENTIAL: &str = "the potential energy may depend on parameters, coordinates and `t` only";
+pub(crate) const RULE_FORCES: &str =
+    "forces may depend on parameters, coordinates of `coordinates`, speeds, inputs and `t` only";
+pub(crate) const RULE_CONSTRAINT: &str =
+    "a constraint may depend on parameters, coordinates of `coordinates`, speeds and `t` only";
+pub(crate) const RULE_CONFIGURATION: &str =
+    "a coordinate is given by parameters, other coordinates and `t` in `configuration`";
+pub(crate) const RULE_COMPLEMENT: &str = "the entries of D may depend on parameters, coordinates and `t` only";
+pub(crate) const RULE_NUMBER: &str = "this is a value for judging, which is made of numbers and `PI` only";
+
+// Functions and operations.
+messages! {
+    unknown_function(name, did_you_mean) =
+        "there is no function `{name}`{did_you_mean}";
+    not_a_function(name, what) =
+        "`{name}` is {what}, not a function; write `*` to multiply";
+    function_as_name(name) =
+        "`{name}` is a function and needs an argument, such as `{name}(x)`";
+    wrong_number_of_arguments(function, expected, found) =
+        "`{function}` takes {expected} argument(s), not {found}";
+    exponent(most) =
+        "the exponent of `powi` is an integer between -{most} and {most}; use `sqrt` or `exp` and `ln` for other powers";
+    division_by_zero() =
+        "division by zero";
+    undefined(function) =
+        "`{function}` has no real value here";
+    not_finite() =
+        "this value is not finite";
+    dot_of_no_coordinate(name, what) =
+        "`{name}` is {what}; `dot` takes the name of a coordinate";
+    dot_of_expression() =
+        "`dot` takes the name of a coordinate; apply the chain rule, or make the expression a coordinate";
+    scalar_product() =
+        "`dot` with two arguments is the scalar product of vectors, which is not supported yet";
+    acceleration(function, name) =
+        "`{function}({name})` is an acceleration; acceleration-level equations are not supported yet";
+    acceleration_of_rate() =
+        "the rate of a rate is an acceleration; acceleration-level equations are not supported yet";
+}
+
+// The system.
+messages! {
+    statement_missing(name) =
+        "the model has no `{name}`; add `#[{name}(..)]`";
+    wrong_length(what, found, expected) =
+        "{what} has {found}, but the model has {expected}";
+    number_of_speeds(found, expected) =
+        "there must be as many speeds as coordinates: found {found}, expected {expected}; \
+         fewer of them become independent by constraints";
+    speeds_without_kinematics() =
+        "named speeds need `kinematics` that tell what they are";
+    kinematics_without_speeds() =
+        "kinematics need named speeds: add `#[speeds(..)]`";
+    kinematics_left_side(name, what) =
+        "`{name}` is {what}; kinematics give a speed or the rate of a coordinate";
+    kinematics_twice(name) =
+        "`{name}` is given twice";
+    kinematics_missing(names) =
+        "the kinematics leave out {names}";
+    kinematics_not_linear(variables, variable, derivative) =
+        "the kinematics must be linear in the {variables}, but the coefficient of `{variable}` here is `{derivative}`";
+    kinematics_not_invertible(combination) =
+        "the kinematics cannot be inverted: their right sides cancel in `{combination}`";
+    kinematics_disagree(row, column, found) =
+        "the two directions do not fit together: substituting the rates, \
+         `{row}` gets the coefficient `{found}` of `{column}`";
+    kinematics_biases_disagree(row, found) =
+        "the two directions do not fit together: substituting the rates, `{row}` gets the additional term `{found}`";
+    name_of_coordinate(name) =
+        "`{name}` is a coordinate; its rate is `dot({name})`";
+    not_symmetric(row, column, above, below) =
+        "the inertia is not symmetric: entry ({row}, {column}) is `{above}`, but entry ({column}, {row}) is `{below}`";
+    underscore_on_diagonal() =
+        "an entry on the diagonal does not follow by symmetry; write it out";
+    underscore_twice() =
+        "this entry and the one across the diagonal are both `_`; write one of them out";
+    constraint_twice(name) =
+        "there is a constraint `{name}` already";
+    constraint_without_variable(name) =
+        "the constraint `{name}` binds no coordinate and no speed";
+    constraint_without_speed(name) =
+        "the constraint `{name}` binds no speed: all its coefficients vanish";
+    constraint_not_linear(name, variable) =
+        "the constraint `{name}` is not linear in `{variable}`; nonlinear velocity constraints are not supported yet";
+    configuration_left_side(name, what) =
+        "`{name}` is {what}; `configuration` gives coordinates of `coordinates`, further ones stand in `of(..)`";
+    configuration_twice(name) =
+        "`{name}` is given twice";
+    configuration_of_given(name) =
+        "`{name}` is itself given by `configuration`; give it by the remaining coordinates";
+    configuration_without_coordinate() =
+        "no coordinate remains free; leave one out or name further ones in `of(..)`";
+    configuration_without(name) =
+        "no coordinate is given by `{name}`";
+    independent_form(name, what) =
+        "`{name}` is {what}; expected a speed or the rate of a coordinate, such as `v1` or `dot(x)`";
+    independent_twice(name) =
+        "`{name}` stands in the list twice";
+    independent_and_complement() =
+        "`complement` names the independent speeds already; leave out one of the two";
+    complement_twice(name) =
+        "there is a row `{name}` already";
+    complement_is_not_speed(name) =
+        "the row `{name}` takes the name of a speed, but D's column for that speed is not a unit vector; \
+         choose another name";
+    start_of(name, what) =
+        "`{name}` is {what}; `start` gives values of coordinates and speeds";
+    start_twice(name) =
+        "`{name}` has a value already";
+    nominal_of_no_scalar(name) =
+        "the field `{name}` is no parameter; `nominal` needs `f64` or a type parameter";
+}

@@ -1,0 +1,239 @@
+//! Expressions: parsed by syn, then laid out flat.
+//!
+//! The result is a list in which operands stand before what uses them, so that everything that
+//! reads an expression is a loop.
+
+use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::parse::{ParseStream, Parser};
+use syn::{BinOp, Expr, ExprUnary, UnOp, parenthesized};
+
+use super::diagnostics::{Diagnostics, Place, messages};
+use super::refusal::refusal;
+use super::{nesting, number};
+use crate::symbolic::Rational;
+
+/// An expression in postfix order; the last term is the whole.
+#[derive(Clone, Debug)]
+pub struct Expression {
+    terms: Vec<(Term, Span)>,
+    place: Place,
+}
+
+/// One step of an expression. Operands are indices of earlier terms.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Term {
+    /// A literal.
+    Number(Rational),
+    /// A name.
+    Name(String),
+    /// `-a`
+    Negative(usize),
+    /// `a + b` and the like.
+    Binary(Operator, usize, usize),
+    /// `f(a, b)`
+    Call(String, Vec<usize>),
+    /// What could not be read; its error is reported already.
+    Hole,
+}
+
+/// The four operations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operator {
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`
+    Divide,
+}
+
+impl Expression {
+    /// Reads an expression from its tokens. `before` is the token that it follows: where there are
+    /// no tokens at all, the error stands there. What cannot be read is reported and leaves a
+    /// [`Term::Hole`], so that the rest of the model can still be checked.
+    pub(crate) fn read(tokens: &[TokenTree], before: Span, diagnostics: &mut Diagnostics) -> Self {
+        let (Some(first), Some(last)) = (tokens.first(), tokens.last()) else {
+            diagnostics.report_local(before, messages::expression_expected());
+            return Expression::hole(before.into());
+        };
+        let place = Place::between(first.span(), last.span());
+        if let Some(hash) = tokens.iter().find(|token| is_punct(token, '#')) {
+            diagnostics.report_local(hash.span(), messages::attribute_in_expression());
+            return Expression::hole(place);
+        }
+        if let Err(error) = nesting::check_expression(tokens) {
+            diagnostics.report_local(error.place, error.message);
+            return Expression::hole(place);
+        }
+        match parse(tokens, last.span()) {
+            Ok(expression) => flatten(expression, place, diagnostics),
+            Err(error) => {
+                diagnostics.report_local(error.span(), messages::not_an_expression(&error));
+                Expression::hole(place)
+            }
+        }
+    }
+
+    fn hole(place: Place) -> Self {
+        Expression { terms: vec![(Term::Hole, place.start)], place }
+    }
+
+    /// The terms in postfix order with their spans; that of an operation is its operator's, that of
+    /// a call is its function's.
+    pub fn terms(&self) -> &[(Term, Span)] {
+        &self.terms
+    }
+
+    /// From the first token to the last.
+    pub fn place(&self) -> Place {
+        self.place
+    }
+
+    /// The whole expression, where it is a single name.
+    pub fn as_name(&self) -> Option<&str> {
+        match self.terms.as_slice() {
+            [(Term::Name(name), _)] => Some(name),
+            _ => None,
+        }
+    }
+}
+
+pub(crate) fn is_punct(token: &TokenTree, character: char) -> bool {
+    matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
+}
+
+/// Parses inside a group that ends at the last token, so that "unexpected end" has a place.
+fn parse(tokens: &[TokenTree], end: Span) -> syn::Result<Expr> {
+    let mut group = Group::new(Delimiter::Parenthesis, tokens.iter().cloned().collect());
+    group.set_span(end);
+    let parser = |input: ParseStream<'_>| {
+        let content;
+        parenthesized!(content in input);
+        let expression: Expr = content.parse()?;
+        if content.is_empty() { Ok(expression) } else { Err(content.error(messages::operator_expected())) }
+    };
+    parser.parse2(TokenStream::from(TokenTree::Group(group)))
+}
+
+/// What remains to be done: look at an expression, or put together what lies on the stack.
+enum Step {
+    Visit(Expr),
+    Negative(Span),
+    Binary(Operator, Span),
+    Call(Ident, usize),
+    /// In place of an operation on two operands that was refused.
+    Hole(Span),
+}
+
+/// Takes the tree apart from the top. It is consumed piece by piece, because dropping a long sum
+/// whole would recurse as deep as the sum is long.
+fn flatten(root: Expr, place: Place, diagnostics: &mut Diagnostics) -> Expression {
+    let mut terms: Vec<(Term, Span)> = Vec::new();
+    let mut operands: Vec<usize> = Vec::new();
+    let mut steps = vec![Step::Visit(root)];
+    while let Some(step) = steps.pop() {
+        let (term, span) = match step {
+            Step::Visit(expression) => match expression {
+                Expr::Paren(inner) => {
+                    steps.push(Step::Visit(*inner.expr));
+                    continue;
+                }
+                Expr::Group(inner) => {
+                    steps.push(Step::Visit(*inner.expr));
+                    continue;
+                }
+                Expr::Unary(ExprUnary { op: UnOp::Neg(minus), expr, .. }) => {
+                    steps.push(Step::Negative(minus.span));
+                    steps.push(Step::Visit(*expr));
+                    continue;
+                }
+                Expr::Binary(binary) => {
+                    match operator(&binary.op) {
+                        Ok((operator, span)) => steps.push(Step::Binary(operator, span)),
+                        Err((span, message)) => {
+                            // Both sides are looked at all the same: they may hold more errors.
+                            diagnostics.report_local(span, message);
+                            steps.push(Step::Hole(span));
+                        }
+                    }
+                    steps.push(Step::Visit(*binary.right));
+                    steps.push(Step::Visit(*binary.left));
+                    continue;
+                }
+                Expr::Call(call) => match function(&call.func) {
+                    Some(function) => {
+                        steps.push(Step::Call(function, call.args.len()));
+                        steps.extend(call.args.into_iter().rev().map(Step::Visit));
+                        continue;
+                    }
+                    None => Err((call.paren_token.span.open(), messages::call_of_no_name())),
+                },
+                Expr::Lit(literal) => match number::read(&literal.lit) {
+                    Ok(number) => Ok((Term::Number(number), literal.lit.span())),
+                    Err(message) => Err((literal.lit.span(), message)),
+                },
+                Expr::Path(path) => match path.path.get_ident() {
+                    Some(ident) if path.qself.is_none() && ident != "self" => {
+                        Ok((Term::Name(ident.to_string()), ident.span()))
+                    }
+                    _ => Err(refusal(&Expr::Path(path), place.start)),
+                },
+                other => Err(refusal(&other, place.start)),
+            }
+            .unwrap_or_else(|(span, message)| {
+                diagnostics.report_local(span, message);
+                (Term::Hole, span)
+            }),
+            Step::Negative(span) => (Term::Negative(take(&mut operands)), span),
+            Step::Binary(operator, span) => {
+                let right = take(&mut operands);
+                let left = take(&mut operands);
+                (Term::Binary(operator, left, right), span)
+            }
+            Step::Hole(span) => {
+                operands.truncate(operands.len().saturating_sub(2));
+                (Term::Hole, span)
+            }
+            Step::Call(function, count) => {
+                let arguments = operands.split_off(operands.len().saturating_sub(count));
+                (Term::Call(function.to_string(), arguments), function.span())
+            }
+        };
+        operands.push(terms.len());
+        terms.push((term, span));
+    }
+    Expression { terms, place }
+}
+
+/// Every step that takes an operand is pushed below the visit that makes it.
+fn take(operands: &mut Vec<usize>) -> usize {
+    operands.pop().unwrap_or_default()
+}
+
+fn operator(op: &BinOp) -> Result<(Operator, Span), (Span, String)> {
+    match op {
+        BinOp::Add(token) => Ok((Operator::Add, token.span)),
+        BinOp::Sub(token) => Ok((Operator::Subtract, token.span)),
+        BinOp::Mul(token) => Ok((Operator::Multiply, token.span)),
+        BinOp::Div(token) => Ok((Operator::Divide, token.span)),
+        BinOp::BitXor(token) => Err((token.span, messages::caret())),
+        BinOp::Eq(token) => Err((token.spans[0], messages::equation_in_expression())),
+        other => {
+            let tokens: Vec<TokenTree> = other.to_token_stream().into_iter().collect();
+            let text: String = tokens.iter().map(ToString::to_string).collect();
+            let span = tokens.first().map_or_else(Span::call_site, TokenTree::span);
+            Err((span, messages::operator(text)))
+        }
+    }
+}
+
+/// The plain name of a called function.
+fn function(callee: &Expr) -> Option<Ident> {
+    match callee {
+        Expr::Path(path) if path.qself.is_none() => path.path.get_ident().cloned(),
+        _ => None,
+    }
+}

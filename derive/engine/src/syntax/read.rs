@@ -1,0 +1,292 @@
+//! The statements on the struct, one after another.
+
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use syn::{Attribute, DeriveInput, MacroDelimiter, Meta};
+
+use super::declarations::*;
+use super::diagnostics::{Diagnostics, Place, messages};
+use super::entries::{self, Entry, double_equals, is_colon, quantity, single_equals, single_ident};
+use super::expression::Expression;
+use super::statements::{FIELD_STATEMENTS, PLANNED_STATEMENTS, STATEMENTS, misspelt};
+use super::{fields, options};
+
+/// A statement: its name, what stands in its parentheses, and their closing one.
+pub(crate) struct Statement {
+    pub name: Ident,
+    pub tokens: TokenStream,
+    pub end: Span,
+}
+
+impl Statement {
+    fn entries(&self) -> Vec<Entry> {
+        entries::split(self.tokens.clone(), self.end)
+    }
+}
+
+/// Reads the struct, its fields and its statements.
+pub(crate) fn declarations(input: DeriveInput, diagnostics: &mut Diagnostics) -> Declarations {
+    let mut statements = Vec::new();
+    for attribute in &input.attrs {
+        statements.extend(statement(attribute, STATEMENTS, diagnostics));
+    }
+    let krate = options::default_crate(input.ident.span());
+    let mut declarations = Declarations {
+        fields: fields::read(&input, diagnostics),
+        ident: input.ident,
+        vis: input.vis,
+        generics: input.generics,
+        options: Options { krate, simplify: true },
+        coordinates: Vec::new(),
+        speeds: None,
+        inputs: Vec::new(),
+        defines: Vec::new(),
+        kinematics: None,
+        inertia: None,
+        forces: None,
+        potential_energy: None,
+        constraints: Vec::new(),
+        configuration: None,
+        independent: None,
+        complement: None,
+        start: Vec::new(),
+        complete: true,
+    };
+    let mut seen: Vec<String> = Vec::new();
+    for statement in &statements {
+        let name = statement.name.to_string();
+        let repeatable = matches!(name.as_str(), "constraint" | "define" | "start" | "inputs");
+        if seen.contains(&name) && !repeatable {
+            diagnostics.report(&statement.name, messages::statement_twice(&name));
+        } else {
+            read(statement, &mut declarations, diagnostics);
+            seen.push(name);
+        }
+    }
+    declarations.complete = diagnostics.only_local();
+    declarations
+}
+
+/// The statement that an attribute is, if it is one of those `allowed` here. What belongs to other
+/// macros is passed over, what looks like a misspelt statement is reported.
+pub(crate) fn statement(attribute: &Attribute, allowed: &[&str], diagnostics: &mut Diagnostics) -> Option<Statement> {
+    let name = attribute.path().get_ident()?;
+    let text = name.to_string();
+    if PLANNED_STATEMENTS.contains(&text.as_str()) {
+        diagnostics.report(name, messages::statement_planned(name));
+        return None;
+    }
+    if !allowed.contains(&text.as_str()) {
+        if STATEMENTS.contains(&text.as_str()) {
+            diagnostics.report(name, messages::statement_on_field(name));
+        } else if FIELD_STATEMENTS.contains(&text.as_str()) {
+            diagnostics.report(name, messages::statement_on_struct(name));
+        } else if let Some(meant) = misspelt(&text) {
+            diagnostics.report(name, messages::statement_unknown(name, meant));
+        }
+        return None;
+    }
+    match &attribute.meta {
+        Meta::List(list) if matches!(list.delimiter, MacroDelimiter::Paren(_)) => {
+            Some(Statement { name: name.clone(), tokens: list.tokens.clone(), end: list.delimiter.span().close() })
+        }
+        _ => {
+            diagnostics.report(name, messages::statement_without_list(name));
+            None
+        }
+    }
+}
+
+fn read(statement: &Statement, model: &mut Declarations, diagnostics: &mut Diagnostics) {
+    let span = statement.name.span();
+    let entries = statement.entries();
+    if entries.is_empty() {
+        diagnostics.report(span, messages::statement_empty(&statement.name));
+        return;
+    }
+    match statement.name.to_string().as_str() {
+        "coordinates" => model.coordinates = names(&entries, diagnostics),
+        "inputs" => model.inputs.extend(names(&entries, diagnostics)),
+        "speeds" => {
+            let names = names(&entries, diagnostics);
+            model.speeds = Some(Speeds { names, span });
+        }
+        "kinematics" => {
+            let entries = entries.iter().filter_map(|entry| kinematic(entry, diagnostics)).collect();
+            model.kinematics = Some(Kinematics { entries, span });
+        }
+        "inertia" => {
+            model.inertia = inertia(&entries, span, diagnostics);
+        }
+        "forces" => {
+            let entries = expressions(&entries, diagnostics);
+            model.forces = Some(List { entries, span });
+        }
+        "potential_energy" => match entries.as_slice() {
+            [entry] => model.potential_energy = Some(entry.expression(diagnostics)),
+            [_, second, ..] => diagnostics.report(second.place(), messages::one_expression()),
+            [] => {}
+        },
+        "constraint" => {
+            let read = entries.iter().filter_map(|entry| constraint(entry, diagnostics));
+            model.constraints.extend(read);
+        }
+        "define" => model.defines.extend(assignments(&entries, "mu = expression", diagnostics)),
+        "start" => model.start.extend(assignments(&entries, "theta = 0.3", diagnostics)),
+        "configuration" => model.configuration = Some(configuration(&entries, span, diagnostics)),
+        "independent" => {
+            let entries =
+                entries.iter().filter_map(|entry| quantity(&entry.tokens, entry.place(), diagnostics)).collect();
+            model.independent = Some(Independent { entries, span });
+        }
+        "complement" => {
+            let rows = entries.iter().filter_map(|entry| complement_row(entry, diagnostics)).collect();
+            model.complement = Some(Complement { rows, span });
+        }
+        "holonomy" => options::read(&entries, &mut model.options, diagnostics),
+        _ => {}
+    }
+}
+
+fn names(entries: &[Entry], diagnostics: &mut Diagnostics) -> Vec<Name> {
+    entries.iter().filter_map(|entry| entry.name(diagnostics)).collect()
+}
+
+fn expressions(entries: &[Entry], diagnostics: &mut Diagnostics) -> Vec<Expression> {
+    entries.iter().map(|entry| entry.expression(diagnostics)).collect()
+}
+
+fn assignments(entries: &[Entry], form: &str, diagnostics: &mut Diagnostics) -> Vec<Assignment> {
+    entries
+        .iter()
+        .filter_map(|entry| {
+            let (name, value) = entry.named_expression(form, diagnostics)?;
+            Some(Assignment { name, value })
+        })
+        .collect()
+}
+
+/// `v1 = ..` or `dot(x) = ..`
+fn kinematic(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<(Quantity, Expression)> {
+    let form = "v1 = expression` or `dot(x) = expression";
+    let (left, equals, right) = entry.assignment(form, diagnostics)?;
+    let quantity = quantity(left, entry.place(), diagnostics);
+    let value = Expression::read(right, equals, diagnostics);
+    Some((quantity?, value))
+}
+
+/// `diag(..)` or `matrix([..], ..)`
+fn inertia(entries: &[Entry], span: Span, diagnostics: &mut Diagnostics) -> Option<Inertia> {
+    let form = match entries {
+        [Entry { tokens, .. }] => match tokens.as_slice() {
+            [TokenTree::Ident(form), TokenTree::Group(list)] if list.delimiter() == Delimiter::Parenthesis => {
+                let inner = entries::split(list.stream(), list.span_close());
+                match form.to_string().as_str() {
+                    "diag" => Some(InertiaForm::Diagonal(expressions(&inner, diagnostics))),
+                    "matrix" => Some(InertiaForm::Matrix(
+                        inner.iter().filter_map(|row| inertia_row(row, diagnostics)).collect(),
+                    )),
+                    _ => None,
+                }
+            }
+            _ => None,
+        },
+        _ => None,
+    };
+    if form.is_none() {
+        let first = entries.first().map_or(span.into(), Entry::place);
+        let last = entries.last().map_or(span.into(), Entry::place);
+        let place = Place::between(first.start, last.end);
+        diagnostics.report(place, messages::inertia_form());
+    }
+    Some(Inertia { form: form?, span })
+}
+
+fn inertia_row(row: &Entry, diagnostics: &mut Diagnostics) -> Option<InertiaRow> {
+    let (entries, span) = bracketed(&row.tokens).or_else(|| {
+        diagnostics.report(row.place(), messages::matrix_row_expected());
+        None
+    })?;
+    let entries = entries
+        .iter()
+        .map(|entry| match entry.tokens.as_slice() {
+            [TokenTree::Ident(underscore)] if underscore == "_" => InertiaEntry::Symmetric(underscore.span()),
+            _ => InertiaEntry::Given(entry.expression(diagnostics)),
+        })
+        .collect();
+    Some(InertiaRow { entries, span })
+}
+
+/// `name: left == right`
+fn constraint(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<Constraint> {
+    let (name, colon, equation) = match entry.tokens.as_slice() {
+        [name, colon, equation @ ..] if is_colon(colon) => (entries::ident(name, diagnostics), colon.span(), equation),
+        _ => {
+            diagnostics.report(entry.place(), messages::constraint_form());
+            return None;
+        }
+    };
+    match double_equals(equation).as_slice() {
+        [at] => {
+            let left = Expression::read(&equation[..*at], colon, diagnostics);
+            let right = Expression::read(&equation[at + 2..], equation[at + 1].span(), diagnostics);
+            Some(Constraint { name: name?, left, right })
+        }
+        [] => {
+            match single_equals(equation) {
+                Some(at) => {
+                    diagnostics.report(equation[at].span(), messages::single_equals());
+                }
+                None => diagnostics.report(entry.place(), messages::equation_expected()),
+            }
+            None
+        }
+        [_, second, ..] => {
+            let signs = [equation[*second].span(), equation[second + 1].span()];
+            diagnostics.report(Place::between(signs[0], signs[1]), messages::second_equation());
+            None
+        }
+    }
+}
+
+fn configuration(entries: &[Entry], span: Span, diagnostics: &mut Diagnostics) -> Configuration {
+    let mut further = Vec::new();
+    let mut map = Vec::new();
+    for entry in entries {
+        match entry.tokens.as_slice() {
+            [TokenTree::Ident(of), TokenTree::Group(list)]
+                if of == "of" && list.delimiter() == Delimiter::Parenthesis =>
+            {
+                let inner = entries::split(list.stream(), list.span_close());
+                further.extend(names(&inner, diagnostics));
+            }
+            _ => {
+                let form = "x = expression` or `of(alpha)";
+                let assignment = entry.named_expression(form, diagnostics);
+                map.extend(assignment.map(|(name, value)| Assignment { name, value }));
+            }
+        }
+    }
+    Configuration { further, map, span }
+}
+
+/// `w1 = [..]`
+fn complement_row(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<ComplementRow> {
+    let form = "w1 = [e1, .., en]";
+    let (left, _, right) = entry.assignment(form, diagnostics)?;
+    let name = single_ident(left, entry.place(), diagnostics);
+    let Some((inner, span)) = bracketed(right) else {
+        diagnostics.report(entry.place(), messages::assignment_expected(form));
+        return None;
+    };
+    Some(ComplementRow { name: name?, entries: expressions(&inner, diagnostics), span })
+}
+
+/// The entries of `[..]`.
+fn bracketed(tokens: &[TokenTree]) -> Option<(Vec<Entry>, Span)> {
+    match tokens {
+        [TokenTree::Group(group)] if group.delimiter() == Delimiter::Bracket => {
+            Some((entries::split(group.stream(), group.span_close()), group.span()))
+        }
+        _ => None,
+    }
+}

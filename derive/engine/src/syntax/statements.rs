@@ -1,0 +1,98 @@
+//! The names of the statements, and the attribute names that are nobody's mistake.
+
+use super::diagnostics::nearest;
+
+/// The statements that stand on the struct.
+pub const STATEMENTS: &[&str] = &[
+    "coordinates",
+    "speeds",
+    "kinematics",
+    "inertia",
+    "forces",
+    "potential_energy",
+    "constraint",
+    "configuration",
+    "independent",
+    "complement",
+    "inputs",
+    "define",
+    "start",
+    "holonomy",
+];
+
+/// The statements that stand on a field.
+pub const FIELD_STATEMENTS: &[&str] = &["unit", "nominal"];
+
+/// Statements with a place in the language that this version does not derive yet. They are
+/// registered with the derive all the same, so that the error is ours and tells what is missing.
+pub const PLANNED_STATEMENTS: &[&str] = &[
+    "kinetic_energy",
+    "function",
+    "output",
+    "size",
+    "frame",
+    "point",
+    "particle",
+    "body",
+    "gravity",
+    "force",
+    "torque",
+    "generalized_force",
+    "spring",
+    "damper",
+    "armature",
+    "release",
+];
+
+/// Every attribute name that `#[proc_macro_derive(.., attributes(..))]` registers: the three lists
+/// above, in this order.
+pub fn helper_attributes() -> impl Iterator<Item = &'static str> {
+    [STATEMENTS, FIELD_STATEMENTS, PLANNED_STATEMENTS].into_iter().flatten().copied()
+}
+
+/// rustc's own attributes that may stand on a struct or a field, and the common ones of other
+/// derives: never taken for a misspelt statement.
+const FOREIGN: &[&str] = &[
+    "allow",
+    "arbitrary",
+    "automatically_derived",
+    "builder",
+    "cfg",
+    "cfg_attr",
+    "clap",
+    "cold",
+    "command",
+    "debug",
+    "default",
+    "deny",
+    "deprecated",
+    "derive",
+    "diagnostic",
+    "doc",
+    "error",
+    "expect",
+    "forbid",
+    "from",
+    "global_allocator",
+    "inline",
+    "instrument",
+    "into",
+    "must_use",
+    "non_exhaustive",
+    "path",
+    "proptest",
+    "repr",
+    "serde",
+    "source",
+    "test",
+    "validate",
+    "warn",
+];
+
+/// The statement that an attribute of this name was probably meant to be.
+pub(crate) fn misspelt(attribute: &str) -> Option<&'static str> {
+    if FOREIGN.contains(&attribute) {
+        return None;
+    }
+    nearest(attribute, helper_attributes())
+}

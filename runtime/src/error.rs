@@ -1,0 +1,262 @@
+//! What can go wrong, as values that name the culprit.
+
+use alloc::string::String;
+use core::fmt;
+
+/// Why a model could not be prepared, assembled or simulated.
+///
+/// ```
+/// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+/// # use models::Pendulum;
+/// use holonomy::prelude::*;
+///
+/// let error = Pendulum { m: 2.0, l: f64::NAN, g: 9.81 }.prepare().unwrap_err();
+/// assert_eq!(error, Error::NonFinite { name: "l" });
+/// assert_eq!(error.to_string(), "`l` is not a finite number");
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A parameter, an entry of the start, an input or a time is infinite or not a number.
+    NonFinite {
+        /// Its name.
+        name: &'static str,
+    },
+    /// The inertia is not positive definite.
+    Indefinite {
+        /// The pivot of M or of M_d that is not positive.
+        pivot: &'static str,
+        /// Its value.
+        value: f64,
+        /// When, if it depends on the state.
+        time: Option<f64>,
+    },
+    /// A figure of the parameters by which the equations divide is zero.
+    SingularParameter {
+        /// The figure.
+        guard: &'static str,
+        /// Where it comes from.
+        origin: &'static str,
+    },
+    /// The coordinates or the independent speeds break down in this state, though the mechanism need not.
+    ChartSingularity {
+        /// The figure that vanished or changed its sign.
+        guard: &'static str,
+        /// Its value.
+        value: f64,
+        /// When.
+        time: f64,
+    },
+    /// The start does not satisfy a constraint.
+    Unmet {
+        /// The constraint's name.
+        constraint: &'static str,
+        /// f or φ: left side minus right side.
+        residual: f64,
+    },
+    /// The coordinates could not be brought back onto a position constraint after a step.
+    Projection {
+        /// The constraint's name.
+        constraint: &'static str,
+        /// f: left side minus right side.
+        residual: f64,
+        /// When.
+        time: f64,
+    },
+    /// No configuration that meets the position constraints was found.
+    Assembly {
+        /// The constraint that is missed most, relative to the size of its terms.
+        constraint: &'static str,
+        /// f at the nearest configuration found: left side minus right side.
+        residual: f64,
+    },
+    /// An entry of the state left the finite numbers.
+    Diverged {
+        /// The entry's name.
+        name: &'static str,
+        /// The last time at which the state was finite.
+        time: f64,
+    },
+    /// The tolerance asks for a step that no longer changes the time.
+    StepTooSmall {
+        /// The step.
+        step: f64,
+        /// When.
+        time: f64,
+    },
+    /// The run needs more steps than allowed.
+    TooManySteps {
+        /// The number allowed.
+        steps: usize,
+        /// How far the run came.
+        time: f64,
+    },
+    /// A step, a spacing or a tolerance that must be positive is not.
+    NotPositive {
+        /// What it is.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// The model has inputs, and the simulation was given none.
+    MissingInputs {
+        /// Their names.
+        inputs: &'static [&'static str],
+    },
+    /// No entry has that name.
+    UnknownName {
+        /// The name.
+        name: String,
+        /// The names that there are.
+        known: &'static [&'static str],
+    },
+    /// A system of linear equations has no unique solution.
+    SingularMatrix {
+        /// Which matrix.
+        matrix: &'static str,
+        /// The smallest pivot relative to the largest, after scaling.
+        pivot: f64,
+    },
+    /// A matrix has not the shape that the equation needs.
+    Shape {
+        /// Which matrix.
+        matrix: &'static str,
+        /// (rows, columns) needed.
+        needed: (usize, usize),
+        /// (rows, columns) given.
+        given: (usize, usize),
+    },
+    /// A trajectory was asked for a time that it does not cover.
+    OutOfRange {
+        /// The time.
+        time: f64,
+        /// Where the trajectory starts.
+        from: f64,
+        /// Where it ends.
+        to: f64,
+    },
+    /// A trajectory without dense output was asked for a time between its states.
+    NoDenseOutput {
+        /// The time.
+        time: f64,
+    },
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::NonFinite { name } => write!(out, "`{name}` is not a finite number"),
+            Error::Indefinite {
+                pivot,
+                value,
+                time: None,
+            } => write!(
+                out,
+                "the inertia is not positive definite: {pivot} is {value:e} and must be positive; check masses and moments of inertia"
+            ),
+            Error::Indefinite {
+                pivot,
+                value,
+                time: Some(time),
+            } => write!(
+                out,
+                "the mass matrix is not positive definite at t = {time}: {pivot} is {value:e} and must be positive; check masses and moments of inertia"
+            ),
+            Error::SingularParameter { guard, origin } => write!(
+                out,
+                "the parameters make {guard} zero, and the equations divide by it ({origin})"
+            ),
+            Error::ChartSingularity { guard, value, time } => write!(
+                out,
+                "the coordinates or independent speeds of the model break down at t = {time}: {guard} is {value:e} and must neither vanish nor change its sign; \
+                 choose other coordinates or other independent speeds for this motion"
+            ),
+            Error::Unmet {
+                constraint,
+                residual,
+            } => write!(
+                out,
+                "the start does not satisfy the constraint `{constraint}`: left minus right is {residual:e}; `assemble` finds a start that does"
+            ),
+            Error::Projection {
+                constraint,
+                residual,
+                time,
+            } => write!(
+                out,
+                "at t = {time} the coordinates could not be brought back onto the constraint `{constraint}`: left minus right is {residual:e}; \
+                 take a smaller step or tolerance, or look for a configuration where the constraints depend on each other"
+            ),
+            Error::Assembly {
+                constraint,
+                residual,
+            } => write!(
+                out,
+                "no configuration was found that meets the constraint `{constraint}`: left minus right remains {residual:e}; \
+                 start from another guess, hold fewer coordinates, or check the dimensions"
+            ),
+            Error::Diverged { name, time } => write!(
+                out,
+                "`{name}` is no longer finite after t = {time}; take a smaller step, and check forces and inputs"
+            ),
+            Error::StepTooSmall { step, time } => write!(
+                out,
+                "at t = {time} the tolerance asks for a step of {step:e}, which no longer changes the time; the motion may be singular or stiff there, or the tolerance too tight"
+            ),
+            Error::TooManySteps { steps, time } => write!(
+                out,
+                "the run reached only t = {time} in {steps} steps; allow more with `max_steps`, or loosen the tolerance"
+            ),
+            Error::NotPositive { name, value } => {
+                write!(out, "the {name} must be positive and is {value}")
+            }
+            Error::MissingInputs { inputs } => {
+                write!(
+                    out,
+                    "the model has inputs; give them with `.inputs(|t, s| ..)`: "
+                )?;
+                list(out, inputs)
+            }
+            Error::UnknownName { name, known } => {
+                write!(out, "there is no `{name}`; there are ")?;
+                list(out, known)
+            }
+            Error::SingularMatrix { matrix, pivot } => write!(
+                out,
+                "{matrix} is singular (relative pivot {pivot:e}): constraints depend on each other, or the inertia is singular"
+            ),
+            Error::Shape {
+                matrix,
+                needed,
+                given,
+            } => write!(
+                out,
+                "{matrix} must have {} rows and {} columns and has {} and {}",
+                needed.0, needed.1, given.0, given.1
+            ),
+            Error::OutOfRange { time, from, to } => {
+                write!(
+                    out,
+                    "t = {time} lies outside of the trajectory, which covers {from} to {to}"
+                )
+            }
+            Error::NoDenseOutput { time } => write!(
+                out,
+                "the trajectory has no state at t = {time}, and dense output was switched off; leave it on, or ask for that output with `every`"
+            ),
+        }
+    }
+}
+
+/// Names in backquotes, separated by commas.
+fn list(out: &mut fmt::Formatter<'_>, names: &[&str]) -> fmt::Result {
+    if names.is_empty() {
+        return out.write_str("none");
+    }
+    for (i, name) in names.iter().enumerate() {
+        write!(out, "{}`{name}`", if i == 0 { "" } else { ", " })?;
+    }
+    Ok(())
+}
+
+impl core::error::Error for Error {}

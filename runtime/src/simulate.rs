@@ -1,0 +1,332 @@
+//! Simulation: integrating the minimal equations, watching the guards, staying on the constraints.
+
+mod control;
+mod course;
+mod dop853;
+mod guards;
+mod inputs;
+mod kernel;
+mod tableau;
+#[cfg(test)]
+mod tests;
+mod trajectory;
+
+use alloc::boxed::Box;
+use core::fmt;
+
+use crate::assemble::check_finite;
+use crate::manifold::{Manifold, term_sizes};
+use crate::{ConstrainedSystem, Error, Prepared};
+use control::Tolerance;
+use course::Course;
+use guards::Watch;
+use kernel::{Pace, Plan};
+
+pub use guards::SINGULAR;
+pub use inputs::{InputSource, NoInputs};
+pub use trajectory::{Interrupted, Statistics, Trajectory};
+
+/// The residual that a start may have in f and φ, as a fraction of the terms of the constraint.
+pub const START_TOLERANCE: f64 = 1e-9;
+
+/// How the equations are integrated. All methods are explicit Runge-Kutta methods.
+#[derive(Copy, Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Method {
+    /// The classical method of order 4 with a fixed step; its dense output is the cubic through both ends of a step.
+    Rk4 {
+        /// The step; the last one is shorter where the steps do not fill the time.
+        step: f64,
+    },
+    /// Dormand and Prince 5(4), adaptive, with its dense output of order 4.
+    DormandPrince,
+    /// Dormand and Prince 8(5,3), adaptive, with its dense output of order 7: the default.
+    Dop853,
+}
+
+/// A run in the making; from [`Prepared::simulate`].
+///
+/// By default it starts at t = 0, uses [`Method::Dop853`] with a relative and absolute tolerance of 1e-9, and keeps every step.
+pub struct Simulation<'a, M: ConstrainedSystem, I = NoInputs> {
+    model: &'a Prepared<M>,
+    start: M::State<f64>,
+    from: f64,
+    method: Method,
+    tolerance: Tolerance,
+    longest: f64,
+    every: Option<f64>,
+    dense: bool,
+    max_steps: usize,
+    source: I,
+    progress: Option<Box<dyn FnMut(f64) + 'a>>,
+}
+
+impl<M: ConstrainedSystem> Prepared<M> {
+    /// Integrates the equations of motion from a start; see [`Simulation`].
+    ///
+    /// ```
+    /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+    /// # use models::{Pendulum, PendulumState};
+    /// use holonomy::prelude::*;
+    /// use holonomy::simulate::Method;
+    ///
+    /// let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
+    /// let start = PendulumState { x: 0.3, y: -0.4, dot_x: 0.0 };
+    /// let fixed = pendulum.simulate(start).method(Method::Rk4 { step: 1e-3 }).until(1.0)?;
+    /// let adaptive = pendulum.simulate(start).tolerance(1e-12, 1e-12).until(1.0)?;
+    /// assert!((fixed.last().1.x - adaptive.last().1.x).abs() < 1e-9);
+    ///
+    /// // A start off the constraint is refused.
+    /// let off = pendulum.simulate(PendulumState { x: 0.3, y: -0.5, dot_x: 0.0 }).until(1.0).unwrap_err();
+    /// assert!(matches!(off.error, Error::Unmet { constraint: "rod", .. }));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn simulate(&self, start: M::State<f64>) -> Simulation<'_, M> {
+        Simulation {
+            model: self,
+            start,
+            from: 0.0,
+            method: Method::Dop853,
+            tolerance: Tolerance {
+                relative: 1e-9,
+                absolute: 1e-9,
+            },
+            longest: f64::INFINITY,
+            every: None,
+            dense: true,
+            max_steps: 10_000_000,
+            source: NoInputs,
+            progress: None,
+        }
+    }
+}
+
+impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
+    /// The time of the start; zero otherwise.
+    #[must_use]
+    pub fn starting_at(mut self, t: f64) -> Self {
+        self.from = t;
+        self
+    }
+
+    /// The method.
+    #[must_use]
+    pub fn method(mut self, method: Method) -> Self {
+        self.method = method;
+        self
+    }
+
+    /// What an adaptive method may err in a step: `absolute + relative · |y|`, in the root mean square over the state.
+    #[must_use]
+    pub fn tolerance(mut self, relative: f64, absolute: f64) -> Self {
+        self.tolerance = Tolerance { relative, absolute };
+        self
+    }
+
+    /// The longest step of an adaptive method: for inputs that are zero for a while, say.
+    #[must_use]
+    pub fn max_step(mut self, step: f64) -> Self {
+        self.longest = step;
+        self
+    }
+
+    /// The most steps, rejected ones included; ten millions otherwise.
+    #[must_use]
+    pub fn max_steps(mut self, steps: usize) -> Self {
+        self.max_steps = steps;
+        self
+    }
+
+    /// Keeps the states at this spacing, by dense output, and the end; otherwise the state after every step.
+    #[must_use]
+    pub fn every(mut self, spacing: f64) -> Self {
+        self.every = Some(spacing);
+        self
+    }
+
+    /// Whether the polynomials between the steps are kept for [`Trajectory::at`]; they are otherwise.
+    #[must_use]
+    pub fn dense(mut self, keep: bool) -> Self {
+        self.dense = keep;
+        self
+    }
+
+    /// Gives the inputs as a function of the time and the state.
+    ///
+    /// The adaptive methods expect smooth inputs: integrate up to a jump and start again after it.
+    #[must_use]
+    pub fn inputs<F>(self, source: F) -> Simulation<'a, M, F>
+    where
+        F: FnMut(f64, &M::State<f64>) -> M::Inputs<f64>,
+    {
+        Simulation {
+            model: self.model,
+            start: self.start,
+            from: self.from,
+            method: self.method,
+            tolerance: self.tolerance,
+            longest: self.longest,
+            every: self.every,
+            dense: self.dense,
+            max_steps: self.max_steps,
+            source,
+            progress: self.progress,
+        }
+    }
+
+    /// Is called with the fraction of the run that is done, about 200 times.
+    #[must_use]
+    pub fn progress(mut self, told: impl FnMut(f64) + 'a) -> Self {
+        self.progress = Some(Box::new(told));
+        self
+    }
+
+    /// Integrates to `end`, which may also lie before the start.
+    ///
+    /// The start must satisfy the constraints to [`START_TOLERANCE`]. After every step the guards are judged (see [`SINGULAR`]),
+    /// and where the state holds the coordinates of position constraints these are brought back onto f = 0.
+    pub fn until(self, end: f64) -> Result<Trajectory<M>, Box<Interrupted<M>>> {
+        let method = self.method;
+        let mut trajectory = Trajectory::new(self.from, self.start);
+        let result = self.check(end).and_then(|(plan, mut course)| match method {
+            Method::Rk4 { .. } => course.run(&tableau::RK4, &plan, &mut trajectory),
+            Method::DormandPrince => course.run(&tableau::DORMAND_PRINCE, &plan, &mut trajectory),
+            Method::Dop853 => course.run(&dop853::DOP853, &plan, &mut trajectory),
+        });
+        match result {
+            Ok(()) => Ok(trajectory),
+            Err(error) => Err(Box::new(Interrupted { error, trajectory })),
+        }
+    }
+
+    /// Everything that can be said before the first step.
+    fn check(mut self, end: f64) -> Result<(Plan, Course<'a, M, I>), Error> {
+        let (model, start, from) = (self.model, self.start, self.from);
+        check_finite::<M>(from, &start)?;
+        if !end.is_finite() {
+            return Err(Error::NonFinite { name: "end" });
+        }
+        positive("longest step", self.longest)?;
+        positive("spacing of the output", self.every.unwrap_or(1.0))?;
+        let pace = match self.method {
+            Method::Rk4 { step } => {
+                positive("step", step)?;
+                Pace::Fixed {
+                    step: step.min((end - from).abs()),
+                }
+            }
+            Method::DormandPrince | Method::Dop853 => {
+                positive("relative tolerance", self.tolerance.relative)?;
+                positive("absolute tolerance", self.tolerance.absolute)?;
+                Pace::Adaptive {
+                    tolerance: self.tolerance,
+                    longest: self.longest,
+                }
+            }
+        };
+        if !I::GIVEN && !M::MODEL.inputs.is_empty() {
+            return Err(Error::MissingInputs {
+                inputs: M::MODEL.inputs,
+            });
+        }
+        let inputs = self.source.inputs(from, &start).into();
+        if let Some(at) = inputs.as_ref().iter().position(|input| !input.is_finite()) {
+            let name = M::MODEL.inputs.get(at).copied().unwrap_or("input");
+            return Err(Error::NonFinite { name });
+        }
+        // The guards stand between f and φ: where one vanishes, the velocities are not finite.
+        let manifold = check_position(model, from, &start)?;
+        let watch = Watch::new(model, from, &start)?;
+        check_velocity(model, from, &start)?;
+        let plan = Plan {
+            start: from,
+            end,
+            pace,
+            every: self.every,
+            dense: self.dense,
+            max_steps: self.max_steps,
+        };
+        let course = Course {
+            model,
+            source: self.source,
+            watch,
+            manifold,
+            progress: self.progress,
+            evaluations: 0,
+        };
+        Ok((plan, course))
+    }
+}
+
+/// f at the start; gives the manifold to stay on where the state holds the coordinates of position rows.
+fn check_position<M: ConstrainedSystem>(
+    model: &Prepared<M>,
+    t: f64,
+    s: &M::State<f64>,
+) -> Result<Option<Manifold<M>>, Error> {
+    let manifold = Manifold::new(model, t, s)?;
+    let f = model.position_residual_at(t, s).into();
+    if let Some((row, residual)) = unmet(f.as_ref(), &manifold.sizes) {
+        let constraint = M::MODEL
+            .position_rows
+            .get(row)
+            .copied()
+            .unwrap_or("position");
+        return Err(Error::Unmet {
+            constraint,
+            residual,
+        });
+    }
+    // With independent coordinates, f is identically zero.
+    let dependent = M::MODEL.state_coordinates == M::MODEL.coordinates;
+    Ok((dependent && !manifold.sizes.is_empty()).then_some(manifold))
+}
+
+/// φ at the start.
+fn check_velocity<M: ConstrainedSystem>(
+    model: &Prepared<M>,
+    t: f64,
+    s: &M::State<f64>,
+) -> Result<(), Error> {
+    let (x, v) = (model.coordinates(t, s), model.velocities(t, s));
+    let phi = model.velocity_residual(t, &x, &v).into();
+    let sizes = term_sizes(model, t, &x, &v, &|model, t, x, v| {
+        model.velocity_residual(t, x, v)
+    })?;
+    match unmet(phi.as_ref(), &sizes) {
+        Some((row, residual)) => Err(Error::Unmet {
+            constraint: M::MODEL.rows.get(row).map_or("velocity", |row| row.name),
+            residual,
+        }),
+        None => Ok(()),
+    }
+}
+
+/// The first row whose residual is too large for a start.
+fn unmet(residuals: &[f64], sizes: &[f64]) -> Option<(usize, f64)> {
+    let missed = |(residual, size): (&f64, &f64)| {
+        residual.is_nan() || residual.abs() > START_TOLERANCE * size
+    };
+    let row = residuals.iter().zip(sizes).position(missed)?;
+    Some((row, residuals[row]))
+}
+
+fn positive(name: &'static str, value: f64) -> Result<(), Error> {
+    // Also false where the value is not a number.
+    if value > 0.0 {
+        Ok(())
+    } else {
+        Err(Error::NotPositive { name, value })
+    }
+}
+
+impl<M: ConstrainedSystem, I> fmt::Debug for Simulation<'_, M, I> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.debug_struct("Simulation")
+            .field("model", &M::MODEL.name)
+            .field("start", &self.start)
+            .field("from", &self.from)
+            .field("method", &self.method)
+            .finish_non_exhaustive()
+    }
+}

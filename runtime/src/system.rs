@@ -1,0 +1,248 @@
+//! What the derive emits for a model: its description and its functions.
+
+mod description;
+
+use core::fmt::Debug;
+
+use crate::{Error, Matrix, Prepared, Scalar, Vector};
+
+pub use description::{
+    Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo, RowInfo,
+};
+
+/// The state of a model: `State::<RollingDisk> { theta: 0.3, .. }`.
+pub type State<M, T = f64> = <M as ConstrainedSystem>::State<T>;
+
+/// The equations of a constrained mechanism, as static functions; emitted by `#[derive(ConstrainedSystem)]`.
+///
+/// Users call [`prepare`](ConstrainedSystem::prepare) and work with what it returns. In all functions `p` are the prepared
+/// values of the parameters, `t` is the time, `s` a state, `i` the inputs; `x` and `v` are coordinates and velocities of the
+/// initial system, which need not satisfy the constraints.
+///
+/// With n velocities v, m rows of constraints and k = n − m independent speeds u:
+///
+/// | symbol | function | shape | equation |
+/// |---|---|---|---|
+/// | A, a0 | `kinematic_matrix`, `kinematic_bias` | n × n, n | ẋ = A v + a0 (2.1) |
+/// | M, h* | `inertia`, `forces` | n × n, n | M v̇ = h* (2.3) |
+/// | C, c0* | `constraint_matrix`, `constraint_bias` | m × n, m | C v̇ + c0* = 0 (2.4) |
+/// | f, φ | `position_residual`, `velocity_residual` | ≤ m, m | (2.5), (2.6) |
+/// | D | `complement` | k × n | D Cᵀ = 0 (3.1) |
+/// | a_u | `complement_bias` | n | v̇ = Dᵀ u̇ + a_u (4.5), (5.5) |
+/// | M_d, h_u* | `mass_matrix`, `forcing` | k × k, k | M_d u̇ = h_u* (4.10), (5.6) |
+/// | λ | `multipliers` | one per name | M v̇ = h* + Cᵀ λ (2.8), (3.6) |
+pub trait ConstrainedSystem: Sized + Clone {
+    /// Names, guards, notes and equations of the model.
+    const MODEL: &'static Description;
+
+    /// The state's coordinates, then the independent speeds u.
+    type State<T: Scalar>: Vector<T> + Default;
+    /// The parameters.
+    type Parameters<T: Scalar>: Vector<T>;
+    /// All velocities v of the initial system.
+    type Velocities<T: Scalar>: Vector<T>;
+    /// λ, one entry per name.
+    type Multipliers<T: Scalar>: Vector<T>;
+    /// The inputs; `[T; 0]` without inputs.
+    type Inputs<T: Scalar>: Vector<T>;
+    /// x, the coordinates of the initial system.
+    type Coordinates<T: Scalar>: Vector<T>;
+    /// u, the independent speeds.
+    type Speeds<T: Scalar>: Vector<T>;
+    /// One figure per entry of [`Description::guards`].
+    type Guards<T: Scalar>: Vector<T>;
+    /// One figure per row of C.
+    type Rows<T: Scalar>: Vector<T>;
+    /// One figure per position row.
+    type PositionRows<T: Scalar>: Vector<T>;
+    /// The parameters, the work that depends on them alone, and the fields that are no scalars.
+    type Values<T: Scalar>: Clone + Debug;
+    /// k × k.
+    type MassMatrix<T: Scalar>: Matrix<T>;
+    /// n × n.
+    type SystemMatrix<T: Scalar>: Matrix<T>;
+    /// m × n.
+    type ConstraintMatrix<T: Scalar>: Matrix<T>;
+    /// k × n.
+    type Complement<T: Scalar>: Matrix<T>;
+
+    /// The parameters as they stand in the struct.
+    fn parameters(&self) -> Self::Parameters<f64>;
+
+    /// Checks the parameters (finite, parameter guards) and does the work that depends on them alone.
+    fn values<T: Scalar>(&self, p: &Self::Parameters<T>) -> Result<Self::Values<T>, Error>;
+
+    /// The state's rate (ẋ or q̇, then u̇), and the guards.
+    fn derivative<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &Self::State<T>,
+        i: &Self::Inputs<T>,
+    ) -> (Self::State<T>, Self::Guards<T>);
+
+    /// u̇, the solution of M_d u̇ = h_u*.
+    fn accelerations<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &Self::State<T>,
+        i: &Self::Inputs<T>,
+    ) -> Self::Speeds<T>;
+
+    /// M_d = D M Dᵀ, k × k.
+    fn mass_matrix<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>)
+    -> Self::MassMatrix<T>;
+
+    /// h_u* = D (h* − M a_u).
+    fn forcing<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &Self::State<T>,
+        i: &Self::Inputs<T>,
+    ) -> Self::Speeds<T>;
+
+    /// M_d and h_u* together; the work that they share is done once.
+    fn mass_matrix_and_forcing<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &Self::State<T>,
+        i: &Self::Inputs<T>,
+    ) -> (Self::MassMatrix<T>, Self::Speeds<T>);
+
+    /// x of the state (4.2).
+    fn coordinates<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &Self::State<T>,
+    ) -> Self::Coordinates<T>;
+
+    /// v of the state (4.4), (5.3).
+    fn velocities<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>) -> Self::Velocities<T>;
+
+    /// D, k × n.
+    fn complement<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>) -> Self::Complement<T>;
+
+    /// a_u, the part of v̇ that does not depend on u̇.
+    fn complement_bias<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &Self::State<T>,
+    ) -> Self::Velocities<T>;
+
+    /// λ (3.6), all constraints acting.
+    fn multipliers<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &Self::State<T>,
+        i: &Self::Inputs<T>,
+    ) -> Self::Multipliers<T>;
+
+    /// The figures that must not vanish for the state to be a regular one.
+    fn guards<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>) -> Self::Guards<T>;
+
+    /// A of ẋ = A v + a0 (2.1), n × n.
+    fn kinematic_matrix<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        x: &Self::Coordinates<T>,
+    ) -> Self::SystemMatrix<T>;
+
+    /// a0 of (2.1).
+    fn kinematic_bias<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        x: &Self::Coordinates<T>,
+    ) -> Self::Coordinates<T>;
+
+    /// M of (2.3), n × n.
+    fn inertia<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        x: &Self::Coordinates<T>,
+    ) -> Self::SystemMatrix<T>;
+
+    /// h* of (2.3).
+    fn forces<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        x: &Self::Coordinates<T>,
+        v: &Self::Velocities<T>,
+        i: &Self::Inputs<T>,
+    ) -> Self::Velocities<T>;
+
+    /// C of (2.4), m × n.
+    fn constraint_matrix<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        x: &Self::Coordinates<T>,
+        v: &Self::Velocities<T>,
+    ) -> Self::ConstraintMatrix<T>;
+
+    /// c0* of (2.4).
+    fn constraint_bias<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        x: &Self::Coordinates<T>,
+        v: &Self::Velocities<T>,
+    ) -> Self::Rows<T>;
+
+    /// f of every position row.
+    fn position_residual<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        x: &Self::Coordinates<T>,
+    ) -> Self::PositionRows<T>;
+
+    /// φ, or ḟ of a position row, for every row of C.
+    fn velocity_residual<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        x: &Self::Coordinates<T>,
+        v: &Self::Velocities<T>,
+    ) -> Self::Rows<T>;
+
+    /// ½ vᵀ M v.
+    fn kinetic_energy<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        x: &Self::Coordinates<T>,
+        v: &Self::Velocities<T>,
+    ) -> T;
+
+    /// The potential energy, where the model declares one.
+    fn potential_energy<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        x: &Self::Coordinates<T>,
+    ) -> Option<T>;
+
+    /// Checks the parameters and gives the model that runs.
+    ///
+    /// ```
+    /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+    /// # use models::Pendulum;
+    /// use holonomy::prelude::*;
+    ///
+    /// assert!(Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare().is_ok());
+    /// let error = Pendulum { m: -2.0, l: 0.5, g: 9.81 }.prepare().unwrap_err();
+    /// assert!(matches!(error, Error::Indefinite { .. }));
+    /// ```
+    fn prepare(self) -> Result<Prepared<Self>, Error> {
+        Prepared::new(self)
+    }
+
+    /// The same over another scalar.
+    ///
+    /// ```
+    /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+    /// # use models::{Pendulum, PendulumState};
+    /// use holonomy::prelude::*;
+    ///
+    /// let single = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare_as::<f32>()?;
+    /// let hanging = PendulumState { x: 0.0f32, y: -0.5, dot_x: 0.0 };
+    /// assert!((single.energy(0.0, &hanging) + 9.81).abs() < 1e-5);
+    /// # Ok::<(), Error>(())
+    /// ```
+    fn prepare_as<T: Scalar>(self) -> Result<Prepared<Self, T>, Error> {
+        Prepared::new(self)
+    }
+}
