@@ -16,6 +16,8 @@ pub const FACTOR_TERMS: usize = 32;
 pub const FACTORED_DEPTH: usize = 24;
 /// Trigonometric forms of one numerator that are compared.
 pub const NUMERATOR_FORMS: usize = 4;
+/// Pairs of terms that are drawn together to the sine or cosine of a sum or difference.
+pub const FOLDS: usize = 60;
 /// E-nodes of one group of roots.
 pub const GROUP_NODES: usize = 800;
 /// E-nodes of a whole model.

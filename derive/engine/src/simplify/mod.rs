@@ -6,6 +6,7 @@
 //! | [`limits`] | the bounds, all in one place |
 //! | [`polynomial`] | sparse polynomials over atoms, exact division |
 //! | [`expand`] | from expressions to polynomials, sin² + cos² = 1 |
+//! | [`angles`] | sines and cosines of sums of angles |
 //! | [`fraction`] | one denominator, and what divides out of it |
 //! | [`factor`] | from polynomials to nested expressions |
 //! | [`normalise`] | a cheap canonical form of one expression |
@@ -14,6 +15,7 @@
 //! | [`extract`] | the choice that makes all roots together cheap |
 //! | [`group`] | all of it, over groups of roots |
 
+pub mod angles;
 pub mod cost;
 pub mod expand;
 pub mod extract;

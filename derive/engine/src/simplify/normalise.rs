@@ -1,5 +1,6 @@
 //! A cheap canonical form of one expression.
 
+use super::angles::fold;
 use super::cost::{cost, total};
 use super::expand::{Angle, Atoms, Depth, angles, expand, reduce};
 use super::factor::{Style, write};
@@ -46,14 +47,22 @@ pub(super) fn forms(graph: &mut Graph, e: Expr, depth: Depth) -> Option<(Vec<Exp
     let (mut atoms, mut sums, mut work) = (Atoms::default(), Sums::default(), Work::default());
     let polynomial = expand(graph, e, depth, &mut atoms, &mut work)?;
     let mut fraction = Fraction::of(graph, polynomial, depth, &mut atoms, &mut sums, &mut work)?;
-    let angles = angles(graph, &mut atoms);
-    fraction.cancel(graph, depth, &mut atoms, &mut sums, &angles, &mut work)?;
+    let turns = angles(graph, &mut atoms);
+    fraction.cancel(graph, depth, &mut atoms, &mut sums, &turns, &mut work)?;
     let mut out: Vec<Expr> = Vec::new();
     let styles: &[Style] = match fraction.denominator.keys().any(|a| atoms.runs(*a)) {
         true => &[Style::Split, Style::Joint],
         false => &[Style::Split],
     };
-    for numerator in variants(&fraction.numerator, &angles, &atoms, &mut work) {
+    let mut numerators = variants(&fraction.numerator, &turns, &atoms, &mut work);
+    if turns.len() > 1
+        && let Some(folded) = fold(graph, &fraction.numerator, &turns, &mut atoms)
+    {
+        let more = angles(graph, &mut atoms);
+        let shortest = variants(&folded, &more, &atoms, &mut work).swap_remove(0);
+        numerators.push(shortest);
+    }
+    for numerator in numerators {
         let fraction = Fraction { numerator, denominator: fraction.denominator.clone() };
         for style in styles {
             if let Some(form) = write(graph, &fraction, *style, &atoms, &sums, &mut work)
