@@ -224,7 +224,7 @@ fn has_parameter_factor(graph: &Graph, e: Expr) -> bool {
 }
 
 /// The expressions that run, each once, in a fixed order.
-fn running(graph: &Graph, roots: &[Expr]) -> Vec<Expr> {
+pub(super) fn running(graph: &Graph, roots: &[Expr]) -> Vec<Expr> {
     let mut seen = HashSet::new();
     let mut order: Vec<Expr> = Vec::new();
     let mut stack: Vec<Expr> = roots.to_vec();

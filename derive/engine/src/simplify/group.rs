@@ -1,11 +1,11 @@
 //! All roots: groups of them, their forms, an e-graph for each group, and the comparison with what went in.
 
-use super::cost::{cost, for_children, runs, total};
+use super::cost::{cost, for_children, running, runs, total};
 use super::expand::{Atoms, Depth};
 use super::extract::extract;
 use super::language::{Classes, import};
-use super::limits::{GROUP_NODES, GROUP_SEEDS, INNER_FORMS, MODEL_NODES};
-use super::normalise::{forms, normalise, rank};
+use super::limits::{GROUP_NODES, GROUP_SEEDS, INNER_FORMS, MODEL_NODES, MODEL_WORK};
+use super::normalise::{forms, normalise_within, rank};
 use super::rules::grow;
 use crate::symbolic::{Expr, Graph, Node};
 use std::collections::{BTreeMap, BTreeSet};
@@ -29,11 +29,12 @@ pub fn simplify(graph: &mut Graph, roots: &[Expr], options: &Options) -> Vec<Exp
     if !options.enabled {
         return roots.to_vec();
     }
-    let mut out = inner(graph, roots);
+    let mut work = MODEL_WORK;
+    let mut out = inner(graph, roots, &mut work);
     let mut nodes = MODEL_NODES;
     for group in groups(graph, &out) {
         let members: Vec<Expr> = group.iter().map(|i| out[*i]).collect();
-        let better = one_group(graph, &members, &mut nodes);
+        let better = one_group(graph, &members, &mut nodes, &mut work);
         for (i, e) in group.into_iter().zip(better) {
             out[i] = e;
         }
@@ -52,7 +53,7 @@ fn joint(graph: &Graph, roots: &[Expr]) -> (usize, usize) {
 }
 
 /// Denominators and arguments of functions, which expansion leaves closed, in normal form.
-fn inner(graph: &mut Graph, roots: &[Expr]) -> Vec<Expr> {
+fn inner(graph: &mut Graph, roots: &[Expr], work: &mut usize) -> Vec<Expr> {
     let mut closed: BTreeSet<Expr> = BTreeSet::new();
     for e in graph.reachable(roots) {
         match graph.node(e) {
@@ -62,14 +63,9 @@ fn inner(graph: &mut Graph, roots: &[Expr]) -> Vec<Expr> {
         }
     }
     let mut map: Vec<(Expr, Expr)> = Vec::new();
-    for e in closed
-        .into_iter()
-        .filter(|e| matches!(graph.node(*e), Node::Sum { .. } | Node::Product(_)))
-        .collect::<Vec<_>>()
-        .into_iter()
-        .take(INNER_FORMS)
-    {
-        let normal = normalise(graph, e);
+    closed.retain(|e| matches!(graph.node(*e), Node::Sum { .. } | Node::Product(_)));
+    for e in closed.into_iter().take(INNER_FORMS) {
+        let normal = normalise_within(graph, e, work);
         if normal != e {
             if graph.is_nonzero(e) {
                 graph.assume_nonzero(normal);
@@ -80,42 +76,40 @@ fn inner(graph: &mut Graph, roots: &[Expr]) -> Vec<Expr> {
     graph.replace(roots, &map)
 }
 
-/// Places of the roots that run, distinct roots in order, packed while the expressions of a group stay few.
+/// Places of the roots that run, in order, packed while the expressions of a group stay few.
 fn groups(graph: &Graph, roots: &[Expr]) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     let mut seen: BTreeSet<Expr> = BTreeSet::new();
-    for (i, root) in roots.iter().enumerate() {
-        if !runs(graph, *root) {
-            continue;
-        }
-        let mut joined = seen.clone();
-        let mut stack = vec![*root];
+    let visit = |seen: &mut BTreeSet<Expr>, root: Expr| {
+        let mut stack = vec![root];
         while let Some(e) = stack.pop() {
-            if runs(graph, e) && joined.insert(e) {
+            if runs(graph, e) && seen.insert(e) {
                 for_children(graph, e, |child| stack.push(child));
             }
         }
-        let fresh = joined.len() > GROUP_SEEDS || groups.is_empty();
-        if fresh {
-            joined = joined.difference(&seen).copied().collect();
-            groups.push(Vec::new());
-        }
-        seen = joined;
-        if let Some(group) = groups.last_mut() {
-            group.push(i);
+    };
+    for (i, root) in roots.iter().enumerate().filter(|(_, root)| runs(graph, **root)) {
+        visit(&mut seen, *root);
+        match groups.last_mut() {
+            Some(group) if seen.len() <= GROUP_SEEDS => group.push(i),
+            _ => {
+                seen.clear();
+                visit(&mut seen, *root);
+                groups.push(vec![i]);
+            }
         }
     }
     groups
 }
 
-fn one_group(graph: &mut Graph, roots: &[Expr], nodes: &mut usize) -> Vec<Expr> {
+fn one_group(graph: &mut Graph, roots: &[Expr], nodes: &mut usize, work: &mut usize) -> Vec<Expr> {
     let mut divisors: Vec<Atoms> = Vec::new();
     let mut seeds: Vec<Vec<Expr>> = Vec::with_capacity(roots.len());
     for root in roots {
         let mut all = vec![*root];
         if matches!(graph.node(*root), Node::Sum { .. } | Node::Product(_))
             && let Some((found, atoms)) =
-                forms(graph, *root, Depth::Full).or_else(|| forms(graph, *root, Depth::Running))
+                forms(graph, *root, Depth::Full, work).or_else(|| forms(graph, *root, Depth::Running, work))
         {
             let found: Vec<Expr> = found.into_iter().filter(|f| f != root && graph.identical(*f, *root)).collect();
             if !found.is_empty() {
@@ -139,16 +133,13 @@ fn one_group(graph: &mut Graph, roots: &[Expr], nodes: &mut usize) -> Vec<Expr> 
 
 /// The group through an e-graph that holds every seed.
 fn by_egraph(graph: &mut Graph, seeds: &[Vec<Expr>], nodes: &mut usize) -> Option<Vec<Expr>> {
-    if *nodes < GROUP_NODES {
+    let raw: Vec<Expr> = seeds.iter().map(|all| all[0]).collect();
+    if *nodes < GROUP_NODES || running(graph, &raw).len() > GROUP_NODES / 2 {
         return None;
     }
     let mut classes = Classes::new(());
     let mut known = BTreeMap::new();
-    let mut roots = Vec::with_capacity(seeds.len());
-    for all in seeds {
-        let ids = import(graph, &mut classes, &mut known, &all[..1]);
-        roots.push(ids[0]);
-    }
+    let roots = import(graph, &mut classes, &mut known, &raw);
     for (all, root) in seeds.iter().zip(&roots) {
         for form in &all[1..] {
             if classes.total_size() > GROUP_NODES {

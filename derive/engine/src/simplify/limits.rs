@@ -4,6 +4,8 @@
 pub const POLYNOMIAL_TERMS: usize = 600;
 /// Products of terms that one expansion may form.
 pub const POLYNOMIAL_WORK: usize = 4_000;
+/// Products of terms that the expansions of a whole model may form.
+pub const MODEL_WORK: usize = 60_000;
 /// The highest power of a sum that is expanded.
 pub const EXPANDED_POWER: i32 = 8;
 /// How deep sums in denominators of sums are taken apart.
