@@ -77,7 +77,7 @@ pub enum Error {
         /// The last time at which the state was finite.
         time: f64,
     },
-    /// The tolerance asks for a step that no longer changes the time.
+    /// A step is so small that it hardly changes the time.
     StepTooSmall {
         /// The step.
         step: f64,
@@ -201,7 +201,7 @@ impl fmt::Display for Error {
             ),
             Error::StepTooSmall { step, time } => write!(
                 out,
-                "at t = {time} the tolerance asks for a step of {step:e}, which no longer changes the time; the motion may be singular or stiff there, or the tolerance too tight"
+                "a step of {step:e} at t = {time} is too small to go on; the motion may be singular or stiff there, or the tolerance, the step or the spacing of the output too fine"
             ),
             Error::TooManySteps { steps, time } => write!(
                 out,

@@ -29,7 +29,23 @@ pub use trajectory::{Interrupted, Statistics, Trajectory};
 /// The residual that a start may have in f and φ, as a fraction of the terms of the constraint.
 pub const START_TOLERANCE: f64 = 1e-9;
 
+/// Outputs closer than this fraction of the run would not fit into memory.
+const SPACING: f64 = 1e-12;
+
 /// How the equations are integrated. All methods are explicit Runge-Kutta methods.
+///
+/// ```
+/// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+/// # use models::{Pendulum, PendulumState};
+/// use holonomy::prelude::*;
+///
+/// let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
+/// let start = PendulumState { x: 0.3, y: -0.4, dot_x: 0.0 };
+/// let run = |method| pendulum.simulate(start).method(method).tolerance(1e-10, 1e-10).until(1.0);
+/// let (fifth, eighth) = (run(Method::DormandPrince)?, run(Method::Dop853)?);
+/// assert!(fifth.statistics().evaluations > eighth.statistics().evaluations);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Method {
@@ -47,6 +63,28 @@ pub enum Method {
 /// A run in the making; from [`Prepared::simulate`].
 ///
 /// By default it starts at t = 0, uses [`Method::Dop853`] with a relative and absolute tolerance of 1e-9, and keeps every step.
+///
+/// ```
+/// # mod models {
+/// #     include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs"));
+/// #     include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/oscillator.rs"));
+/// # }
+/// # use models::{Oscillator, OscillatorInputs, OscillatorState};
+/// use holonomy::prelude::*;
+///
+/// // A controlled mass: the input is a function of the time and the state.
+/// let mass = Oscillator { m: 2.0, a: 0.0, k: 0.0, c: 0.0, b: 0.0 }.prepare()?;
+/// let run = mass
+///     .simulate(OscillatorState { x: 1.0, dot_x: 0.0 })
+///     .inputs(|_, s| OscillatorInputs { tau: -8.0 * s.x - 8.0 * s.dot_x })
+///     .tolerance(1e-10, 1e-12)
+///     .every(0.5)
+///     .progress(|fraction| println!("{:3.0} %", 100.0 * fraction))
+///     .until(2.0)?;
+/// let exact = |t: f64| (1.0 + 2.0 * t) * (-2.0 * t).exp();
+/// assert!(run.iter().all(|(t, s)| (s.x - exact(t)).abs() < 1e-8));
+/// # Ok::<(), Error>(())
+/// ```
 pub struct Simulation<'a, M: ConstrainedSystem, I = NoInputs> {
     model: &'a Prepared<M>,
     start: M::State<f64>,
@@ -207,7 +245,15 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
             return Err(Error::NonFinite { name: "end" });
         }
         positive("longest step", self.longest)?;
-        positive("spacing of the output", self.every.unwrap_or(1.0))?;
+        if let Some(every) = self.every {
+            positive("spacing of the output", every)?;
+            if every < SPACING * (end - from).abs() {
+                return Err(Error::StepTooSmall {
+                    step: every,
+                    time: from,
+                });
+            }
+        }
         let pace = match self.method {
             Method::Rk4 { step } => {
                 positive("step", step)?;

@@ -144,6 +144,33 @@ fn options_that_are_not_positive() {
 }
 
 #[test]
+fn steps_that_lead_nowhere() {
+    let model = pendulum();
+    let run = || {
+        model.simulate(PendulumState {
+            x: 0.3,
+            y: -0.4,
+            dot_x: 0.0,
+        })
+    };
+    let error = run().every(1e-300).until(1.0).unwrap_err().error;
+    assert_eq!(
+        error,
+        Error::StepTooSmall {
+            step: 1e-300,
+            time: 0.0
+        }
+    );
+    tells(&error, &["1e-300", "t = 0", "too small"]);
+    let fixed = run().starting_at(1.0).method(Method::Rk4 { step: 1e-17 });
+    let error = fixed.until(2.0).unwrap_err().error;
+    assert!(
+        matches!(error, Error::StepTooSmall { time: 1.0, .. }),
+        "{error:?}"
+    );
+}
+
+#[test]
 fn inconsistent_starts() {
     let error = pendulum()
         .simulate(PendulumState {
@@ -200,6 +227,7 @@ fn chart_singularities_at_the_start() {
         );
         tells(&error, &["y is", "t = 0", "sign"]);
     }
+    // A guard of the time alone.
     let bead = Bead {
         m: 1.5,
         w: 1.0,
@@ -207,26 +235,26 @@ fn chart_singularities_at_the_start() {
     }
     .prepare()
     .unwrap();
-    let t = std::f64::consts::FRAC_PI_2;
+    let time = std::f64::consts::FRAC_PI_2;
+    let start = BeadState {
+        x: 0.0,
+        y: 1.0,
+        dot_x: -1.0,
+    };
     let error = bead
-        .simulate(BeadState {
-            x: 0.0,
-            y: 1.0,
-            dot_x: -1.0,
-        })
-        .starting_at(t)
+        .simulate(start)
+        .starting_at(time)
         .until(2.0)
         .unwrap_err()
         .error;
-    assert!(
-        matches!(
-            error,
-            Error::ChartSingularity {
-                guard: "cos(w*t)",
-                ..
-            } | Error::Unmet { .. }
-        ),
-        "{error:?}"
+    let value = time.cos();
+    assert_eq!(
+        error,
+        Error::ChartSingularity {
+            guard: "cos(w*t)",
+            value,
+            time
+        }
     );
 }
 

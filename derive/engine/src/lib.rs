@@ -12,5 +12,6 @@ pub mod projection;
 pub mod simplify;
 pub mod symbolic;
 pub mod syntax;
+mod target;
 
 pub use pipeline::{Analysis, analyse, expand, expand_observed};

@@ -4,7 +4,8 @@ use crate::projection::{Equations, Simplifier, guards, project};
 use crate::simplify;
 use crate::symbolic::{Expr, Graph};
 use crate::syntax::{Declarations, Diagnostics};
-use crate::{model, syntax};
+use crate::target::{known, target};
+use crate::{emit, model, program, syntax};
 use proc_macro2::TokenStream;
 
 /// A model that has been read, checked and projected.
@@ -35,6 +36,45 @@ pub enum Step {
 
 /// Called after each step with the number of expressions, operations or tokens that it left.
 pub type Observer<'a> = &'a mut dyn FnMut(Step, usize);
+
+/// The derive: an implementation of the model, or its errors beside an implementation that diverges.
+pub fn expand(input: TokenStream) -> TokenStream {
+    expand_observed(input, &mut |_, _| {})
+}
+
+/// [`expand`], watched.
+pub fn expand_observed(input: TokenStream, after: Observer<'_>) -> TokenStream {
+    let (declarations, diagnostics) = syntax::read(input);
+    let Some(declarations) = declarations else { return diagnostics.into_tokens() };
+    after(Step::Syntax, 0);
+    emitted(&declarations, diagnostics, after).unwrap_or_else(|errors| {
+        // The types are there all the same, so that only the model's own errors show.
+        let mut tokens = errors.into_tokens();
+        tokens.extend(emit::diverging(&target(&declarations, None), &known(&declarations)));
+        tokens
+    })
+}
+
+fn emitted(
+    declarations: &Declarations,
+    diagnostics: Diagnostics,
+    after: Observer<'_>,
+) -> Result<TokenStream, Diagnostics> {
+    let equations = equations(declarations, diagnostics, after)?;
+    let programs = program::programs(&equations).map_err(|unbound| {
+        let mut errors = Diagnostics::new();
+        let message = format!(
+            "internal error: `{}` of this model depends on `{}`, which it cannot know; please report the model",
+            unbound.function, unbound.symbol
+        );
+        errors.report(&declarations.ident, message);
+        errors
+    })?;
+    after(Step::Program, programs.functions.iter().map(|f| f.count.weight()).sum());
+    let tokens = emit::implementation(&target(declarations, Some(&equations)), &equations, &programs);
+    after(Step::Emission, tokens.clone().into_iter().count());
+    Ok(tokens)
+}
 
 /// Reads, checks and projects a model without emitting it.
 ///

@@ -29,7 +29,7 @@ impl<M: ConstrainedSystem> Watch<M> {
     /// Starts watching, and judges the start.
     ///
     /// A guard alone does not tell whether it is small. At the start it is compared with how much it changes over the state's
-    /// coordinates, so that cos θ at θ = π/2 counts as zero although rounding leaves 6e-17.
+    /// coordinates and the time, so that cos θ at θ = π/2 counts as zero although rounding leaves 6e-17.
     pub(super) fn new(model: &Prepared<M>, t: f64, s: &M::State<f64>) -> Result<Self, Error> {
         let array = model.guards(t, s).into();
         let guards: &[f64] = array.as_ref();
@@ -41,7 +41,16 @@ impl<M: ConstrainedSystem> Watch<M> {
         let reach = coordinates
             .iter()
             .fold(0.0, |reach: f64, q| reach.max(q.abs()));
-        let mut sums = alloc::vec![0.0; guards.len()];
+        let in_time = dual.guards(
+            Dual::variable(t),
+            &convert(s, |_, value| Dual::constant(value)),
+        );
+        let in_time = in_time.into();
+        let change = in_time
+            .as_ref()
+            .iter()
+            .map(|guard| (guard.derivative * t).abs());
+        let mut sums = change.collect::<Vec<f64>>();
         for (j, q) in coordinates.iter().enumerate() {
             let seeded = convert(s, |i, value| {
                 Dual::new(value, if i == j { 1.0 } else { 0.0 })

@@ -6,3 +6,4 @@
 include!("pendulum.rs");
 include!("oscillator.rs");
 include!("bead.rs");
+include!("swing.rs");

@@ -1,0 +1,124 @@
+//! What the engine's equations claim at a state, by evaluating its expressions.
+
+use crate::oracle::{Claim, Dual, Multiplier, Number};
+use holonomy_engine::projection::Equations;
+use holonomy_engine::symbolic::{Algebra, Expr, Function, Matrix, Rational, Symbol};
+use nalgebra::DMatrix;
+use std::collections::BTreeMap;
+
+/// The oracle's numbers as an algebra of the engine.
+struct Over<N>(BTreeMap<Symbol, N>);
+
+impl<N: Number> Algebra for Over<N> {
+    type Value = N;
+    fn number(&mut self, value: &Rational) -> N {
+        N::constant(value.to_f64())
+    }
+    fn symbol(&mut self, symbol: Symbol) -> N {
+        self.0[&symbol]
+    }
+    fn add(&mut self, a: &N, b: &N) -> N {
+        *a + *b
+    }
+    fn mul(&mut self, a: &N, b: &N) -> N {
+        *a * *b
+    }
+    fn recip(&mut self, a: &N) -> N {
+        N::one() / *a
+    }
+    fn function(&mut self, function: Function, arguments: &[N]) -> N {
+        let first = arguments[0];
+        match function {
+            Function::Sin => first.sin_cos().0,
+            Function::Cos => first.sin_cos().1,
+            Function::Sqrt => first.sqrt(),
+            Function::Atan2 => first.atan2(arguments[1]),
+            Function::Exp => first.exp(),
+            Function::Ln => first.ln(),
+        }
+    }
+}
+
+/// The engine's equations with numbers for parameters and inputs.
+pub struct Evaluated<'a> {
+    /// The equations.
+    pub equations: &'a Equations,
+    /// Parameters in their order.
+    pub parameters: &'a [f64],
+    /// Inputs in their order.
+    pub inputs: &'a [f64],
+}
+
+impl Evaluated<'_> {
+    fn values<N: Number>(&self, t: N, groups: [(&[Symbol], &[N]); 2]) -> Over<N> {
+        let equations = self.equations;
+        let constants = |symbols: &[Symbol], values: &[f64]| -> Vec<(Symbol, N)> {
+            symbols.iter().copied().zip(values.iter().map(|&value| N::constant(value))).collect()
+        };
+        let mut map =
+            BTreeMap::from([(equations.graph.pi_symbol(), N::constant(std::f64::consts::PI)), (equations.time, t)]);
+        map.extend(constants(&equations.parameters, self.parameters));
+        map.extend(constants(&equations.inputs, self.inputs));
+        for (symbols, values) in groups {
+            map.extend(symbols.iter().copied().zip(values.iter().copied()));
+        }
+        Over(map)
+    }
+
+    /// Functions of the state.
+    fn of_state<N: Number>(&self, expressions: &[Expr], t: N, q: &[N], u: &[N]) -> Vec<N> {
+        let e = self.equations;
+        let mut algebra = self.values(t, [(&e.state_coordinates, q), (&e.state_speeds, u)]);
+        e.graph.evaluate_in(expressions, &mut algebra)
+    }
+
+    /// Everything that the equations say about the state (q, u).
+    pub fn claim(&self, t: f64, q: &[f64], u: &[f64]) -> Claim {
+        let e = self.equations;
+        let state = |expressions: &[Expr]| self.of_state(expressions, t, q, u);
+        let coordinates = state(&e.initial_coordinates);
+        let velocities = state(&e.velocities);
+        let initial = |expressions: &[Expr]| {
+            let mut algebra = self.values(t, [(&e.coordinates, &coordinates), (&e.speeds, &velocities)]);
+            e.graph.evaluate_in(expressions, &mut algebra)
+        };
+        let matrix =
+            |matrix: &Matrix, values: Vec<f64>| DMatrix::from_row_slice(matrix.rows(), matrix.columns(), &values);
+        let named = |symbols: &[Symbol]| symbols.iter().map(|&s| e.graph.name(s).to_string()).collect();
+        let (rates, accelerations) = (state(&e.coordinate_rates), state(&e.accelerations));
+        let moving = |values: &[f64], rates: &[f64]| -> Vec<Dual<f64>> {
+            values.iter().zip(rates).map(|(&value, &rate)| Dual::moving(value, rate)).collect()
+        };
+        let along = self.of_state(&e.velocities, Dual::moving(t, 1.0), &moving(q, &rates), &moving(u, &accelerations));
+        let multipliers = state(&e.multipliers).into_iter().zip(&e.multiplier_names).zip(&e.multiplier_rows);
+        let multipliers =
+            multipliers.map(|((value, name), &row)| Multiplier { name: name.clone(), value, row }).collect();
+        Claim {
+            t,
+            state_coordinates: q.to_vec(),
+            speed_names: named(&e.state_speeds),
+            speeds: u.to_vec(),
+            coordinate_rates: rates,
+            accelerations,
+            velocity_rates: along.iter().map(|v| v.rate).collect(),
+            mass_matrix: matrix(&e.mass_matrix, state(e.mass_matrix.entries())),
+            forcing: state(&e.forcing),
+            complement: matrix(&e.complement, state(e.complement.entries())),
+            complement_bias: state(&e.complement_bias),
+            multipliers,
+            row_names: e.row_names.clone(),
+            constraint_matrix: matrix(&e.constraint_matrix, initial(e.constraint_matrix.entries())),
+            constraint_bias: initial(&e.constraint_bias),
+            velocity_residual: initial(&e.velocity_residual),
+            position_residual: e.position_names.iter().cloned().zip(initial(&e.position_residual)).collect(),
+            kinematic_matrix: matrix(&e.kinematic_matrix, initial(e.kinematic_matrix.entries())),
+            kinematic_bias: initial(&e.kinematic_bias),
+            inertia: matrix(&e.inertia, initial(e.inertia.entries())),
+            forces: initial(&e.forces),
+            kinetic_energy: initial(&[e.kinetic_energy])[0],
+            potential_energy: e.potential_energy.map(|potential| initial(&[potential])[0]),
+            coordinates,
+            velocities,
+        }
+    }
+}

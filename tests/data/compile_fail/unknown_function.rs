@@ -1,0 +1,6 @@
+#[coordinates(x)]
+#[inertia(diag(m))]
+#[forces(-sinh(x))]
+pub struct Spring {
+    pub m: f64,
+}

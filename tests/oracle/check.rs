@@ -1,0 +1,222 @@
+//! A claim against the oracle.
+//!
+//! Every comparison has a bound that is computed at that very state, never chosen for a model:
+//!
+//! * what is only evaluated (A, a0, M, h*, C, c0*, f, φ, energies): `UNIT` times the size of the terms that were added up
+//!   (`Scaled`, a first-order running error analysis);
+//! * what is solved for (v̇, λ): `UNIT` times the condition of the equilibrated matrix of (2.8) times the size of the data and of
+//!   the solution, times κ² where D enters: the reduced mass matrix is D M Dᵀ, and a chart near its singularity costs digits
+//!   that the full system does not lose. κ is the condition of D, or of the columns of C that the chart eliminates if larger.
+
+use super::claim::Claim;
+use super::kkt::{Motion, UNIT, conditioned_rank};
+use super::number::{Number, Scaled};
+use super::report::Report;
+use super::system::{Dynamics, Rows, System};
+use nalgebra::{DMatrix, DVector};
+
+/// Holds a claim against the declared model at the claim's own state.
+pub fn check(system: &System<'_>, claim: &Claim) -> Report {
+    let (t, x, v) = (claim.t, &claim.coordinates, &claim.velocities);
+    let configured = system.model.configuration.is_some();
+    let motion = match configured {
+        true => system.configured_motion(t, &claim.state_coordinates, &claim.coordinate_rates),
+        false => system.motion(t, x, v),
+    };
+    let dynamics = system.dynamics(t, x, v);
+    let rows = system.rows(t, x, v);
+    let chart = chart_condition(system, claim, &dynamics, &rows);
+    let state = Compared { system, claim, motion, dynamics, rows, chart };
+    let mut report = Report::default();
+    state.evaluated(&mut report);
+    state.declared_rows(&mut report);
+    state.state(&mut report);
+    state.reduced(&mut report);
+    state.accelerations(&mut report);
+    state.reactions(&mut report);
+    report
+}
+
+struct Compared<'a> {
+    system: &'a System<'a>,
+    claim: &'a Claim,
+    motion: Motion,
+    dynamics: Dynamics,
+    rows: Rows,
+    chart: f64,
+}
+
+impl Compared<'_> {
+    /// What is declared and only evaluated.
+    fn evaluated(&self, report: &mut Report) {
+        let (claim, dynamics) = (self.claim, &self.dynamics);
+        report.matrix("A", &claim.kinematic_matrix, &dynamics.a);
+        report.vector("a0", &claim.kinematic_bias, &dynamics.a0);
+        report.matrix("M", &claim.inertia, &dynamics.m);
+        report.vector("h*", &claim.forces, &dynamics.h);
+        let kinetic = dynamics.kinetic;
+        report.number("kinetic energy", claim.kinetic_energy, kinetic.value, UNIT * kinetic.size);
+        report.fact("potential energy present", claim.potential_energy.is_some() == dynamics.potential.is_some());
+        if let (Some(claimed), Some(expected)) = (claim.potential_energy, dynamics.potential) {
+            report.number("potential energy", claimed, expected.value, UNIT * expected.size);
+        }
+    }
+
+    /// C, c0* and the residuals, row by row by name.
+    fn declared_rows(&self, report: &mut Report) {
+        let (claim, rows) = (self.claim, &self.rows);
+        report.fact("C has a row for each name", claim.constraint_matrix.nrows() == claim.row_names.len());
+        for (i, name) in claim.row_names.iter().enumerate() {
+            let Some(j) = rows.names.iter().position(|n| n == name) else {
+                report.fact(&format!("row {name} was declared"), false);
+                continue;
+            };
+            let row = claim.constraint_matrix.rows(i, 1).into_owned();
+            report.matrix(&format!("C {name}"), &row, &rows.c.rows(j, 1).into_owned());
+            let bias = rows.c0[j];
+            report.number(&format!("c0* {name}"), claim.constraint_bias[i], bias.value, UNIT * bias.size);
+            let residual = rows.velocity[j];
+            report.number(
+                &format!("velocity residual {name}"),
+                claim.velocity_residual[i],
+                residual.value,
+                UNIT * residual.size,
+            );
+        }
+        let named = |name: &str| claim.position_residual.iter().find(|(n, _)| n == name);
+        for (name, f) in &rows.position {
+            report.fact(&format!("residual of {name} is given"), named(name).is_some());
+            if let Some((_, claimed)) = named(name) {
+                report.number(&format!("f {name}"), *claimed, f.value, UNIT * f.size);
+            }
+        }
+    }
+
+    /// x and v of the state satisfy what was declared, and u is what its name says.
+    fn state(&self, report: &mut Report) {
+        let (claim, system) = (self.claim, self.system);
+        let lift = |values: &[f64]| values.iter().map(|&x| Scaled::constant(x)).collect::<Vec<_>>();
+        let t = Scaled::constant(claim.t);
+        let (q, qdot) = (lift(&claim.state_coordinates), lift(&claim.coordinate_rates));
+        report.vector("x", &claim.coordinates, &DVector::from_vec(system.coordinates(t, &q)));
+        // the rates come from v by A, or v from the rates by A⁻¹: whichever is declared loses nothing
+        let velocities = DVector::from_vec(system.velocities_of(t, &q, &qdot));
+        let size = velocities.iter().fold(0.0_f64, |size, e| size.max(e.size));
+        let bound = DVector::from_element(velocities.len(), UNIT * self.chart * size);
+        report.bounded("v", &claim.velocities, &velocities.map(|e| e.value), &bound);
+        for (name, residual) in self.rows.names.iter().zip(&self.rows.velocity) {
+            report.number(&format!("{name} at velocity level"), 0.0, residual.value, UNIT * self.chart * residual.size);
+        }
+        for (name, u) in claim.speed_names.iter().zip(&claim.speeds) {
+            let named = |names: &[String]| names.iter().position(|n| n == name || format!("dot_{n}") == *name);
+            let value = match (named(&system.model.speeds), named(system.model.state_coordinates())) {
+                (Some(i), _) => claim.velocities[i],
+                (_, Some(i)) => claim.coordinate_rates[i],
+                _ => continue,
+            };
+            report.number(&format!("u {name}"), value, *u, UNIT * self.chart * size.max(u.abs()));
+        }
+    }
+
+    /// D Cᵀ = 0 (3.1), C a_u = −c0*, M_d and h_u* (4.10), M_d u̇ = h_u*.
+    fn reduced(&self, report: &mut Report) {
+        let (claim, dynamics, rows, motion) = (self.claim, &self.dynamics, &self.rows, &self.motion);
+        let d = &claim.complement;
+        let k = claim.speeds.len();
+        report.fact(&format!("k = {k} instead of {}", motion.freedom), k == motion.freedom);
+        report.fact("D has rank k", conditioned_rank(d).0 == k);
+        let unit = UNIT * self.chart;
+        let product = d * rows.c.map(|e| e.value).transpose();
+        let sizes = d.abs() * rows.c.map(|e| e.size).transpose();
+        for (i, (entry, size)) in product.iter().zip(sizes.iter()).enumerate() {
+            report.number(&format!("D Cᵀ [{i}]"), *entry, 0.0, unit * size);
+        }
+        let a_u = DVector::from_column_slice(&claim.complement_bias);
+        let bias = rows.c.map(|e| e.value) * &a_u;
+        let bias_size = rows.c.map(|e| e.size) * a_u.abs() + rows.c0.map(|e| e.size);
+        report.bounded("C a_u", bias.as_slice(), &-rows.c0.map(|e| e.value), &(&bias_size * (unit * self.chart)));
+        let (m, m_size) = (dynamics.m.map(|e| e.value), dynamics.m.map(|e| e.size));
+        let (h, h_size) = (dynamics.h.map(|e| e.value), dynamics.h.map(|e| e.size));
+        let reduced = d * &m * d.transpose();
+        let reduced_size = d.abs() * &m_size * d.abs().transpose();
+        for (i, (claimed, expected)) in claim.mass_matrix.iter().zip(reduced.iter()).enumerate() {
+            report.number(&format!("M_d [{i}]"), *claimed, *expected, unit * reduced_size[i]);
+        }
+        let forcing_size = d.abs() * (h_size + m_size * a_u.abs()) * (unit * self.chart);
+        report.bounded("h_u*", &claim.forcing, &(d * (h - m * &a_u)), &forcing_size);
+        let u_dot = DVector::from_column_slice(&claim.accelerations);
+        let balance = &claim.mass_matrix * &u_dot;
+        let balance_size = (claim.mass_matrix.abs() * u_dot.abs()) * (unit * self.chart) + forcing_size;
+        report.bounded("M_d u̇", balance.as_slice(), &DVector::from_column_slice(&claim.forcing), &balance_size);
+    }
+
+    /// v̇ = Dᵀ u̇ + a_u is the solution of (2.8), it is the derivative of v, and C v̇ + c0* = 0.
+    fn accelerations(&self, report: &mut Report) {
+        let (claim, motion, rows) = (self.claim, &self.motion, &self.rows);
+        let error = &motion.acceleration_error * self.chart.powi(2);
+        let claimed = claim.acceleration();
+        report.bounded("v̇", claimed.as_slice(), &motion.acceleration, &error);
+        report.bounded("v̇ along the motion", &claim.velocity_rates, &motion.acceleration, &error);
+        let kept = rows.c.map(|e| e.value) * &claimed + rows.c0.map(|e| e.value);
+        let size = rows.c.map(|e| e.size);
+        let bound = (&size * claimed.abs() + rows.c0.map(|e| e.size)) * UNIT + &size * &error;
+        report.bounded("C v̇ + c0*", kept.as_slice(), &DVector::zeros(kept.len()), &bound);
+    }
+
+    /// Cᵀ λ = M v̇ − h*; its power along v; Gauss' principle: M v̇ − h* does no work on any admissible variation.
+    fn reactions(&self, report: &mut Report) {
+        let (claim, motion) = (self.claim, &self.motion);
+        let error = &motion.reaction_error * self.chart.powi(2);
+        let total = self.dynamics.m.map(|e| e.value) * claim.acceleration() - self.dynamics.h.map(|e| e.value);
+        report.bounded("M v̇ − h*", total.as_slice(), &motion.reaction, &error);
+        let reaction = claim.reaction();
+        let partial = self.system.partial_velocities(claim.t, &claim.state_coordinates, &claim.coordinate_rates).0;
+        let partial = partial.map(|e| e.value);
+        let rows = conditioned_rank(&claim.constraint_matrix).0;
+        if rows + motion.freedom == self.system.model.n() {
+            report.bounded("Cᵀ λ", reaction.as_slice(), &motion.reaction, &error);
+            let v = DVector::from_column_slice(&claim.velocities);
+            report.number("power of the reactions", v.dot(&reaction), v.dot(&total), v.abs().dot(&error));
+        } else {
+            // the configuration binds more than the declared rows do: λ is known only as far as it acts on q
+            let acting = partial.transpose() * &reaction;
+            let bound = partial.abs().transpose() * &error;
+            report.bounded("Dᵀ-part of Cᵀ λ", acting.as_slice(), &(partial.transpose() * &motion.reaction), &bound);
+        }
+        let bound_rows = self.rows.c.map(|e| e.value) * &partial;
+        for variation in null_space(&bound_rows) {
+            let variation = &partial * variation;
+            let bound = variation.abs().dot(&error);
+            report.number("work on an admissible variation", variation.dot(&total), 0.0, bound);
+        }
+    }
+}
+
+/// How much a chart amplifies rounding.
+fn chart_condition(system: &System<'_>, claim: &Claim, dynamics: &Dynamics, rows: &Rows) -> f64 {
+    let root = dynamics.m.map(|e| e.value).diagonal().map(f64::sqrt);
+    let unit_rows = |m: DMatrix<f64>| {
+        let norms: Vec<f64> = m.row_iter().map(|row| row.norm()).collect();
+        DMatrix::from_fn(m.nrows(), m.ncols(), |i, j| m[(i, j)] / norms[i].max(f64::MIN_POSITIVE))
+    };
+    let d = DMatrix::from_fn(claim.complement.nrows(), root.len(), |i, j| claim.complement[(i, j)] * root[j]);
+    let of_d = conditioned_rank(&unit_rows(d)).1;
+    let dependent: Vec<usize> =
+        (0..root.len()).filter(|&j| !claim.speed_names.contains(&system.model.speeds[j])).collect();
+    if system.model.configuration.is_some() || dependent.len() + claim.speeds.len() != root.len() {
+        return of_d;
+    }
+    let c = unit_rows(DMatrix::from_fn(rows.names.len(), root.len(), |i, j| rows.c[(i, j)].value / root[j]));
+    of_d.max(conditioned_rank(&c.select_columns(&dependent)).1)
+}
+
+/// A basis of the vectors that a matrix sends to zero.
+fn null_space(matrix: &DMatrix<f64>) -> Vec<DVector<f64>> {
+    let n = matrix.ncols();
+    let square =
+        DMatrix::from_fn(matrix.nrows().max(n), n, |i, j| if i < matrix.nrows() { matrix[(i, j)] } else { 0.0 });
+    let rank = conditioned_rank(matrix).0;
+    let svd = square.svd(false, true);
+    let right = svd.v_t.expect("right singular vectors were asked for");
+    (rank..n).map(|i| right.row(i).transpose()).collect()
+}

@@ -1,0 +1,96 @@
+//! A model as it is declared: names and expressions, nothing computed.
+
+use std::collections::BTreeMap;
+use syn::Expr;
+
+/// The level at which a constraint binds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// f(x, t) = 0.
+    Position,
+    /// φ(v, x, t) = 0.
+    Velocity,
+}
+
+/// One constraint, as left side minus right side.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// Its name.
+    pub name: String,
+    /// The left side.
+    pub left: Expr,
+    /// The right side.
+    pub right: Expr,
+    /// Read off what the two sides mention.
+    pub level: Level,
+}
+
+/// x = g(q, t) (4.2).
+#[derive(Clone, Debug)]
+pub struct Configuration {
+    /// q: the initial coordinates that are not given by g, then those introduced by `of`.
+    pub coordinates: Vec<String>,
+    /// g for the initial coordinates that have one; the others are their own.
+    pub map: BTreeMap<String, Expr>,
+}
+
+/// A declared model.
+#[derive(Clone, Debug, Default)]
+pub struct Declaration {
+    /// Name of the struct.
+    pub name: String,
+    /// Fields of type f64, with their nominal values.
+    pub parameters: Vec<(String, Option<f64>)>,
+    /// Inputs.
+    pub inputs: Vec<String>,
+    /// x.
+    pub coordinates: Vec<String>,
+    /// v; `dot_x` where none are declared.
+    pub speeds: Vec<String>,
+    /// dot(x) = …, in the order of x (2.1).
+    pub rates: Option<Vec<Expr>>,
+    /// v = …, in the order of v (2.2).
+    pub speeds_by_rates: Option<Vec<Expr>>,
+    /// Entries of M; `None` where symmetry gives it or where it is zero beside a diagonal.
+    pub inertia: Vec<Vec<Option<Expr>>>,
+    /// h*.
+    pub forces: Vec<Expr>,
+    /// V.
+    pub potential_energy: Option<Expr>,
+    /// Constraints in the order of their declaration.
+    pub constraints: Vec<Constraint>,
+    /// x = g(q, t).
+    pub configuration: Option<Configuration>,
+    /// The speeds asked for as independent.
+    pub independent: Vec<Expr>,
+    /// Rows of D, each with the name of its speed.
+    pub complement: Vec<(String, Vec<Expr>)>,
+    /// Named intermediates.
+    pub definitions: BTreeMap<String, Expr>,
+    /// Start values.
+    pub start: BTreeMap<String, f64>,
+}
+
+impl Declaration {
+    /// Number of speeds.
+    pub fn n(&self) -> usize {
+        self.speeds.len()
+    }
+
+    /// The nominal parameters, in the order of the fields.
+    ///
+    /// # Panics
+    /// If a parameter has none.
+    pub fn nominal(&self) -> Vec<f64> {
+        let value = |(name, value): &(String, Option<f64>)| match value {
+            Some(value) => *value,
+            None => panic!("{}: no nominal value for `{name}`", self.name),
+        };
+        self.parameters.iter().map(value).collect()
+    }
+
+    /// The coordinates of the state: q, or x without a configuration.
+    pub fn state_coordinates(&self) -> &[String] {
+        self.configuration.as_ref().map_or(&self.coordinates, |c| &c.coordinates)
+    }
+}

@@ -1,0 +1,95 @@
+//! Expressions over any number, by walking them as they were written.
+
+use super::number::Number;
+use super::statements::{number, plain, rate_of};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use syn::{BinOp, Expr, UnOp};
+
+/// What the names stand for.
+pub struct Scope<'a, N> {
+    names: BTreeMap<&'a str, N>,
+    rates: BTreeMap<&'a str, N>,
+    definitions: &'a BTreeMap<String, Expr>,
+    known: RefCell<BTreeMap<&'a str, N>>,
+}
+
+impl<'a, N: Number> Scope<'a, N> {
+    /// A scope that knows the definitions only.
+    pub fn new(definitions: &'a BTreeMap<String, Expr>) -> Self {
+        let names = BTreeMap::from([("PI", N::constant(std::f64::consts::PI))]);
+        Self { names, rates: BTreeMap::new(), definitions, known: RefCell::default() }
+    }
+
+    /// Adds names with their values.
+    pub fn with(mut self, names: impl IntoIterator<Item = &'a str>, values: &[N]) -> Self {
+        self.names.extend(names.into_iter().zip(values.iter().copied()));
+        self
+    }
+
+    /// Adds the values of `dot(name)`.
+    pub fn with_rates(mut self, names: impl IntoIterator<Item = &'a str>, values: &[N]) -> Self {
+        self.rates.extend(names.into_iter().zip(values.iter().copied()));
+        self
+    }
+
+    /// The value of an expression.
+    ///
+    /// # Panics
+    /// On a name that is not in scope and on what is no expression of a model.
+    pub fn value(&self, e: &Expr) -> N {
+        match e {
+            Expr::Paren(inner) => self.value(&inner.expr),
+            Expr::Group(inner) => self.value(&inner.expr),
+            Expr::Lit(_) => N::constant(number(e)),
+            Expr::Unary(u) if matches!(u.op, UnOp::Neg(_)) => -self.value(&u.expr),
+            Expr::Binary(b) => {
+                let (left, right) = (self.value(&b.left), self.value(&b.right));
+                match b.op {
+                    BinOp::Add(_) => left + right,
+                    BinOp::Sub(_) => left - right,
+                    BinOp::Mul(_) => left * right,
+                    BinOp::Div(_) => left / right,
+                    _ => panic!("not an operation of a model"),
+                }
+            }
+            Expr::Path(_) => self.named(&plain(e).expect("a plain name")),
+            Expr::Call(call) => match rate_of(e) {
+                Some(name) => *self.rates.get(name.as_str()).unwrap_or_else(|| panic!("dot({name}) is not in scope")),
+                None => {
+                    let arguments: Vec<&Expr> = call.args.iter().collect();
+                    self.function(&plain(&call.func).expect("a function's name"), &arguments)
+                }
+            },
+            _ => panic!("not an expression of a model"),
+        }
+    }
+
+    fn named(&self, name: &str) -> N {
+        if let Some(value) = self.names.get(name).or(self.known.borrow().get(name)) {
+            return *value;
+        }
+        let Some((name, definition)) = self.definitions.get_key_value(name) else { panic!("`{name}` is not in scope") };
+        let value = self.value(definition);
+        self.known.borrow_mut().insert(name, value);
+        value
+    }
+
+    fn function(&self, name: &str, arguments: &[&Expr]) -> N {
+        let first = self.value(arguments[0]);
+        match name {
+            "sin" => first.sin_cos().0,
+            "cos" => first.sin_cos().1,
+            "tan" => {
+                let (sin, cos) = first.sin_cos();
+                sin / cos
+            }
+            "sqrt" => first.sqrt(),
+            "exp" => first.exp(),
+            "ln" => first.ln(),
+            "atan2" => first.atan2(self.value(arguments[1])),
+            "powi" => first.powi(number(arguments[1]) as i32),
+            _ => panic!("`{name}` is no function of a model"),
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! The motion by the full system (2.8): no complement, no elimination, only dense algebra.
+
+use super::number::Scaled;
+use super::system::{Dynamics, Rows, System};
+use nalgebra::{DMatrix, DVector};
+
+/// What a relative error of one unit in the data can do to a result is multiplied by this: 450 roundings of f64.
+pub const UNIT: f64 = 1e-13;
+
+/// A direction whose singular value is this small beside the largest one is no direction: rows that depend on each other.
+const RANK: f64 = 1e-9;
+
+/// v̇ and the reactions, with the errors that rounding may make in them.
+pub struct Motion {
+    /// v̇.
+    pub acceleration: DVector<f64>,
+    /// M v̇ − h*: all reactions together, Cᵀ λ.
+    pub reaction: DVector<f64>,
+    /// λ, one per declared row; of minimum norm (rows taken with unit norm) where they depend on each other. Empty with a configuration.
+    pub multipliers: DVector<f64>,
+    /// How many of the state's velocities are free.
+    pub freedom: usize,
+    /// Condition of the equilibrated matrix of (2.8).
+    pub condition: f64,
+    /// Error bound of each v̇.
+    pub acceleration_error: DVector<f64>,
+    /// Error bound of each entry of the reaction.
+    pub reaction_error: DVector<f64>,
+}
+
+/// x = g(q, t) beside the rows: v̇ = Dᵀ q̈ + a_u, with Dᵀ (n × p) and a_u.
+type Partial = Option<(DMatrix<Scaled>, DVector<Scaled>)>;
+
+impl System<'_> {
+    /// The motion at x, v.
+    pub fn motion(&self, t: f64, x: &[f64], v: &[f64]) -> Motion {
+        solve(&self.dynamics(t, x, v), &self.rows(t, x, v), &None)
+    }
+
+    /// The motion at the state's coordinates and their rates, where x = g(q, t) holds beside the rows.
+    ///
+    /// Nothing is eliminated here either: v̇ and q̈ are unknowns side by side, and v̇ = Dᵀ q̈ + a_u stands among the rows.
+    pub fn configured_motion(&self, t: f64, q: &[f64], qdot: &[f64]) -> Motion {
+        let x = self.coordinates(t, q);
+        let v = self.velocities_of(t, q, qdot);
+        solve(&self.dynamics(t, &x, &v), &self.rows(t, &x, &v), &Some(self.partial_velocities(t, q, qdot)))
+    }
+}
+
+fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial) -> Motion {
+    let (n, m) = (dynamics.h.len(), rows.c0.len());
+    let p = partial.as_ref().map_or(0, |(d, _)| d.ncols());
+    let links = if partial.is_some() { n } else { 0 };
+    let zero = Scaled { value: 0.0, size: 0.0 };
+
+    // unknowns: v̇ (n), q̈ (p); rows: the declared ones (m), then v̇ − Dᵀ q̈ = a_u
+    let inertia = |i: usize, j: usize| {
+        if i < n && j < n { dynamics.m[(i, j)] } else { zero }
+    };
+    let row = |i: usize, j: usize| match (i.checked_sub(m), partial) {
+        (None, _) => {
+            if j < n {
+                rows.c[(i, j)]
+            } else {
+                zero
+            }
+        }
+        (Some(i), Some((d, _))) if j >= n => -d[(i, j - n)],
+        (Some(i), _) => Scaled { value: f64::from(u8::from(i == j)), size: f64::from(u8::from(i == j)) },
+    };
+    let force = |i: usize| if i < n { dynamics.h[i] } else { zero };
+    let bias = |i: usize| match (i.checked_sub(m), partial) {
+        (Some(i), Some((_, a_u))) => -a_u[i],
+        _ => rows.c0[i],
+    };
+
+    // equilibrated: unit diagonal of M, partial velocities of unit size, rows of unit norm
+    let mut scale = DVector::from_element(n + p, 1.0);
+    for i in 0..n {
+        scale[i] = 1.0 / dynamics.m[(i, i)].value.sqrt();
+    }
+    for j in 0..p {
+        let column: f64 = (0..n).map(|i| (row(m + i, n + j).value / scale[i]).powi(2)).sum();
+        scale[n + j] = 1.0 / column.sqrt().max(f64::MIN_POSITIVE);
+    }
+    let size = n + p + m + links;
+    let row_scale = DVector::from_fn(m + links, |i, _| {
+        let norm: f64 = (0..n + p).map(|j| (row(i, j).value * scale[j]).powi(2)).sum();
+        if norm > 0.0 { 1.0 / norm.sqrt() } else { 1.0 }
+    });
+    let entry = |i: usize, j: usize| match (i < n + p, j < n + p) {
+        (true, true) => (inertia(i, j), scale[i] * scale[j]),
+        (true, false) => (-row(j - n - p, i), scale[i] * row_scale[j - n - p]),
+        (false, true) => (row(i - n - p, j), row_scale[i - n - p] * scale[j]),
+        (false, false) => (zero, 0.0),
+    };
+    let right = |i: usize| match i < n + p {
+        true => (force(i), scale[i]),
+        false => (-bias(i - n - p), row_scale[i - n - p]),
+    };
+    let matrix = DMatrix::from_fn(size, size, |i, j| entry(i, j).0.value * entry(i, j).1);
+    let matrix_size = DMatrix::from_fn(size, size, |i, j| entry(i, j).0.size * entry(i, j).1);
+    let vector = DVector::from_fn(size, |i, _| right(i).0.value * right(i).1);
+    let vector_size = DVector::from_fn(size, |i, _| right(i).0.size * right(i).1);
+
+    let constraint = matrix.view((n + p, 0), (m + links, n + p)).into_owned();
+    let (rank, _) = conditioned_rank(&constraint);
+    let (solution, condition) = solve_dense(&matrix, &vector, rank == m + links);
+    let error = UNIT * condition * (matrix_size.norm() * solution.norm() + vector_size.norm()) / matrix.norm();
+
+    let acceleration = DVector::from_fn(n, |i, _| solution[i] * scale[i]);
+    let value = dynamics.m.map(|e| e.value);
+    let force_value = dynamics.h.map(|e| e.value);
+    Motion {
+        reaction: value * &acceleration - force_value,
+        multipliers: DVector::from_fn(if links == 0 { m } else { 0 }, |i, _| solution[n + p + i] * row_scale[i]),
+        freedom: n + p - rank,
+        condition,
+        acceleration_error: DVector::from_fn(n, |i, _| error * scale[i]),
+        reaction_error: DVector::from_fn(n, |i, _| error / scale[i]),
+        acceleration,
+    }
+}
+
+/// LU with one step of refinement, or the solution of minimum norm where the rows depend on each other.
+fn solve_dense(matrix: &DMatrix<f64>, vector: &DVector<f64>, regular: bool) -> (DVector<f64>, f64) {
+    if matrix.is_empty() {
+        return (vector.clone(), 1.0);
+    }
+    let svd = matrix.clone().svd(true, true);
+    let largest = svd.singular_values.max();
+    let kept = svd.singular_values.iter().filter(|s| **s > RANK * largest);
+    let condition = largest / kept.fold(largest, |least, s| least.min(*s));
+    let once = |right: &DVector<f64>| -> DVector<f64> {
+        if regular {
+            matrix.clone().lu().solve(right).expect("rows of full rank")
+        } else {
+            svd.solve(right, RANK * largest).expect("both sets of singular vectors")
+        }
+    };
+    let first = once(vector);
+    let correction = once(&(vector - matrix * &first));
+    (first + correction, condition)
+}
+
+/// The rank of a matrix and the condition of what it keeps.
+pub fn conditioned_rank(matrix: &DMatrix<f64>) -> (usize, f64) {
+    if matrix.is_empty() {
+        return (0, 1.0);
+    }
+    let values = matrix.singular_values();
+    let largest = values.max();
+    let kept: Vec<f64> = values.iter().copied().filter(|s| *s > RANK * largest).collect();
+    let least = kept.iter().copied().fold(largest, f64::min);
+    if largest == 0.0 { (0, 1.0) } else { (kept.len(), largest / least) }
+}

@@ -1,0 +1,35 @@
+//! The oracle: an evaluator of declared models that shares nothing with the engine.
+//!
+//! It reads the attributes of a model from its source text, evaluates the expressions as they stand over its own numbers,
+//! differentiates by nested dual numbers, and solves the full system (2.8) of Blajer (1992) by dense algebra:
+//!
+//! ```text
+//!     [ M  −Cᵀ ] [ v̇ ]   [  h*  ]
+//!     [ C   0  ] [ λ ] = [ −c0* ]
+//! ```
+//!
+//! What a derivation claims (a [`Claim`]) is then held against that solution, see [`check`].
+#![allow(dead_code, unused_imports, reason = "every test file uses its own part of the oracle")]
+
+mod check;
+mod claim;
+mod consistency;
+mod declaration;
+mod evaluate;
+mod kkt;
+mod linear;
+mod number;
+mod reader;
+mod report;
+mod statements;
+mod system;
+
+pub use check::check;
+pub use claim::{Claim, Multiplier};
+pub use consistency::{closed, onto_velocity_rows};
+pub use declaration::{Configuration, Constraint, Declaration, Level};
+pub use kkt::{Motion, conditioned_rank};
+pub use number::{Dual, Number, Scaled};
+pub use reader::read_models;
+pub use report::Report;
+pub use system::{Dynamics, Rows, System};

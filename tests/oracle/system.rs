@@ -1,0 +1,216 @@
+//! The initial system of a declared model at one point: (2.1) to (2.6), by evaluation and dual numbers.
+
+use super::declaration::{Declaration, Level};
+use super::evaluate::Scope;
+use super::linear::{along, fixed, seeded, solve};
+use super::number::{Dual, Number, Scaled};
+use nalgebra::{DMatrix, DVector};
+
+/// A model with its numbers.
+#[derive(Clone, Debug)]
+pub struct System<'a> {
+    /// What was declared.
+    pub model: &'a Declaration,
+    /// Parameters in the order of the fields.
+    pub parameters: Vec<f64>,
+    /// Inputs in the order of their declaration.
+    pub inputs: Vec<f64>,
+}
+
+/// ẋ = A v + a0, M v̇ = h* and the energies at a point; every entry with the size of its terms.
+pub struct Dynamics {
+    /// A (2.1).
+    pub a: DMatrix<Entry>,
+    /// a0 (2.1).
+    pub a0: DVector<Entry>,
+    /// M (2.3).
+    pub m: DMatrix<Entry>,
+    /// h* (2.3).
+    pub h: DVector<Entry>,
+    /// ½ vᵀ M v.
+    pub kinetic: Entry,
+    /// V.
+    pub potential: Option<Entry>,
+}
+
+/// C v̇ + c0* = 0 (2.4), one row per declared constraint, and the levels below.
+pub struct Rows {
+    /// Names in the order of declaration.
+    pub names: Vec<String>,
+    /// C (2.5), (2.7).
+    pub c: DMatrix<Entry>,
+    /// c0* (2.6), (2.7).
+    pub c0: DVector<Entry>,
+    /// ḟ of a position row, φ of a velocity row.
+    pub velocity: Vec<Entry>,
+    /// f of the position rows.
+    pub position: Vec<(String, Entry)>,
+}
+
+/// A number with the size of its terms.
+pub type Entry = Scaled;
+
+impl<'a> System<'a> {
+    /// The model with its nominal parameters and no inputs.
+    pub fn nominal(model: &'a Declaration) -> Self {
+        Self { model, parameters: model.nominal(), inputs: vec![0.0; model.inputs.len()] }
+    }
+
+    fn scope<N: Number>(&self, t: N, x: &[N]) -> Scope<'a, N> {
+        let lifted = |values: &[f64]| values.iter().map(|&p| N::constant(p)).collect::<Vec<_>>();
+        Scope::new(&self.model.definitions)
+            .with(["t"], &[t])
+            .with(self.model.parameters.iter().map(|(name, _)| name.as_str()), &lifted(&self.parameters))
+            .with(self.model.inputs.iter().map(String::as_str), &lifted(&self.inputs))
+            .with(self.model.coordinates.iter().map(String::as_str), x)
+    }
+
+    fn moving<N: Number>(&self, t: N, x: &[N], v: &[N]) -> Scope<'a, N> {
+        let rates = self.rates(t, x, v);
+        self.scope(t, x)
+            .with(self.model.speeds.iter().map(String::as_str), v)
+            .with_rates(self.model.coordinates.iter().map(String::as_str), &rates)
+    }
+
+    /// ẋ from v (2.1).
+    pub fn rates<N: Number>(&self, t: N, x: &[N], v: &[N]) -> Vec<N> {
+        if let Some(rates) = &self.model.rates {
+            let scope = self.scope(t, x).with(self.model.speeds.iter().map(String::as_str), v);
+            return rates.iter().map(|e| scope.value(e)).collect();
+        }
+        if self.model.speeds_by_rates.is_none() {
+            return v.to_vec();
+        }
+        let still = vec![N::zero(); x.len()];
+        let b0 = self.velocities(t, x, &still);
+        let column = |j| -> Vec<N> {
+            let v = self.velocities(Dual::fixed(t), &fixed(x), &seeded(&still, j));
+            v.iter().map(|v| v.rate).collect()
+        };
+        let columns: Vec<Vec<N>> = (0..x.len()).map(column).collect();
+        let b = (0..x.len()).map(|i| columns.iter().map(|c| c[i]).collect()).collect();
+        solve(b, v.iter().zip(&b0).map(|(&v, &b0)| v - b0).collect())
+    }
+
+    /// v from ẋ (2.2).
+    pub fn velocities<N: Number>(&self, t: N, x: &[N], xdot: &[N]) -> Vec<N> {
+        if let Some(speeds) = &self.model.speeds_by_rates {
+            let scope = self.scope(t, x).with_rates(self.model.coordinates.iter().map(String::as_str), xdot);
+            return speeds.iter().map(|e| scope.value(e)).collect();
+        }
+        let Some(rates) = &self.model.rates else {
+            return xdot.to_vec();
+        };
+        let names = || self.model.speeds.iter().map(String::as_str);
+        let still = vec![N::zero(); x.len()];
+        let bias = self.scope(t, x).with(names(), &still);
+        let columns: Vec<Vec<N>> = (0..x.len())
+            .map(|j| {
+                let scope = self.scope(Dual::fixed(t), &fixed(x)).with(names(), &seeded(&still, j));
+                rates.iter().map(|e| scope.value(e).rate).collect()
+            })
+            .collect();
+        let a = (0..x.len()).map(|i| columns.iter().map(|c| c[i]).collect()).collect();
+        solve(a, rates.iter().zip(xdot).map(|(e, &xdot)| xdot - bias.value(e)).collect())
+    }
+
+    /// x = g(q, t) (4.2); x itself without a configuration.
+    pub fn coordinates<N: Number>(&self, t: N, q: &[N]) -> Vec<N> {
+        let Some(configuration) = &self.model.configuration else {
+            return q.to_vec();
+        };
+        let names: Vec<&str> = configuration.coordinates.iter().map(String::as_str).collect();
+        // g may be written in q only; the other initial coordinates are not in scope
+        let lifted: Vec<N> = self.parameters.iter().map(|&p| N::constant(p)).collect();
+        let scope = Scope::new(&self.model.definitions)
+            .with(["t"], &[t])
+            .with(self.model.parameters.iter().map(|(name, _)| name.as_str()), &lifted)
+            .with(names.iter().copied(), q);
+        let value = |x: &String| match configuration.map.get(x) {
+            Some(g) => scope.value(g),
+            None => q[names.iter().position(|name| name == x).expect("a coordinate of the state")],
+        };
+        self.model.coordinates.iter().map(value).collect()
+    }
+
+    /// v of a motion of the state's coordinates (4.4).
+    pub fn velocities_of<N: Number>(&self, t: N, q: &[N], qdot: &[N]) -> Vec<N> {
+        let x = self.coordinates(Dual::moving(t, N::one()), &along(q, qdot));
+        let (x, xdot): (Vec<N>, Vec<N>) = x.iter().map(|x| (x.value, x.rate)).unzip();
+        self.velocities(t, &x, &xdot)
+    }
+
+    /// f of a position row.
+    pub fn position<N: Number>(&self, row: usize, t: N, x: &[N]) -> N {
+        let row = &self.model.constraints[row];
+        let scope = self.scope(t, x);
+        scope.value(&row.left) - scope.value(&row.right)
+    }
+
+    /// ḟ of a position row along the motion, φ of a velocity row.
+    pub fn velocity<N: Number>(&self, row: usize, t: N, x: &[N], v: &[N]) -> N {
+        let constraint = &self.model.constraints[row];
+        if constraint.level == Level::Position {
+            let rates = self.rates(t, x, v);
+            return self.position(row, Dual::moving(t, N::one()), &along(x, &rates)).rate;
+        }
+        let scope = self.moving(t, x, v);
+        scope.value(&constraint.left) - scope.value(&constraint.right)
+    }
+
+    /// Dᵀ = ∂v/∂q̇ (4.9) as a matrix n × p, and a_u = v̇ with q̈ = 0.
+    pub fn partial_velocities(&self, t: f64, q: &[f64], qdot: &[f64]) -> (DMatrix<Entry>, DVector<Entry>) {
+        let (t, q, qdot) = (Entry::constant(t), lift(q), lift(qdot));
+        let column = |j| self.velocities_of(Dual::fixed(t), &fixed(&q), &seeded(&qdot, j));
+        let columns: Vec<_> = (0..q.len()).map(column).collect();
+        let d_transposed = DMatrix::from_fn(self.model.n(), q.len(), |i, j| columns[j][i].rate);
+        let rates = self.velocities_of(Dual::moving(t, Entry::one()), &along(&q, &qdot), &fixed(&qdot));
+        (d_transposed, DVector::from_iterator(self.model.n(), rates.iter().map(|v| v.rate)))
+    }
+
+    /// A, a0, M, h* and the energies.
+    pub fn dynamics(&self, t: f64, x: &[f64], v: &[f64]) -> Dynamics {
+        let n = self.model.n();
+        let (t, x, v) = (Entry::constant(t), lift(x), lift(v));
+        let still = vec![Entry::zero(); n];
+        let column = |j| self.rates(Dual::fixed(t), &fixed(&x), &seeded(&still, j));
+        let columns: Vec<_> = (0..n).map(column).collect();
+        let scope = self.moving(t, &x, &v);
+        let entry = |i: usize, j: usize| self.model.inertia[i][j].as_ref().or(self.model.inertia[j][i].as_ref());
+        let m = DMatrix::from_fn(n, n, |i, j| entry(i, j).map_or(Entry::zero(), |e| scope.value(e)));
+        let pairs = (0..n * n).map(|k| m[(k / n, k % n)] * v[k / n] * v[k % n]);
+        Dynamics {
+            a: DMatrix::from_fn(n, n, |i, j| columns[j][i].rate),
+            a0: DVector::from_vec(self.rates(t, &x, &still)),
+            h: DVector::from_iterator(n, self.model.forces.iter().map(|e| scope.value(e))),
+            kinetic: Entry::constant(0.5) * pairs.fold(Entry::zero(), |sum, pair| sum + pair),
+            potential: self.model.potential_energy.as_ref().map(|e| scope.value(e)),
+            m,
+        }
+    }
+
+    /// All declared rows in acceleration form: position rows differentiated twice, velocity rows once, along ẋ = A v + a0.
+    pub fn rows(&self, t: f64, x: &[f64], v: &[f64]) -> Rows {
+        let (t, x, v) = (Entry::constant(t), lift(x), lift(v));
+        let (n, m) = (v.len(), self.model.constraints.len());
+        let still = fixed(&x);
+        let c = DMatrix::from_fn(m, n, |i, j| self.velocity(i, Dual::fixed(t), &still, &seeded(&v, j)).rate);
+        let carried = along(&x, &self.rates(t, &x, &v));
+        let bias = |i| self.velocity(i, Dual::moving(t, Entry::one()), &carried, &fixed(&v)).rate;
+        let constraints = self.model.constraints.iter().enumerate();
+        Rows {
+            names: self.model.constraints.iter().map(|c| c.name.clone()).collect(),
+            c,
+            c0: DVector::from_fn(m, |i, _| bias(i)),
+            velocity: (0..m).map(|i| self.velocity(i, t, &x, &v)).collect(),
+            position: constraints
+                .filter(|(_, c)| c.level == Level::Position)
+                .map(|(i, c)| (c.name.clone(), self.position(i, t, &x)))
+                .collect(),
+        }
+    }
+}
+
+fn lift(values: &[f64]) -> Vec<Entry> {
+    values.iter().map(|&x| Entry::constant(x)).collect()
+}

@@ -1,0 +1,232 @@
+//! The oracle by itself: against the golden data of the rolling disk, and its parts against each other. No engine.
+
+mod oracle;
+mod support;
+
+use nalgebra::DVector;
+use oracle::{Declaration, Dual, Number, Rows, Scaled, System, closed, onto_velocity_rows, read_models};
+use serde_json::Value;
+use support::golden::{assert_close, assert_close_at, list, numbers, parse, picked};
+use support::splitmix::SplitMix;
+
+const GOLDEN: &str = include_str!("data/rolling_disk.json");
+const SOURCES: [&str; 4] = [
+    include_str!("models/blades.rs"),
+    include_str!("models/particles.rs"),
+    include_str!("models/rolling_disc.rs"),
+    include_str!("models/rolling_disk.rs"),
+];
+const TOLERANCE: f64 = 1e-12;
+
+fn models() -> Vec<Declaration> {
+    SOURCES.iter().flat_map(|source| read_models(source)).collect()
+}
+
+fn model<'a>(models: &'a [Declaration], name: &str) -> &'a Declaration {
+    models.iter().find(|m| m.name == name).expect("the model is declared")
+}
+
+fn disk<'a>(models: &'a [Declaration], name: &str, params: &Value) -> System<'a> {
+    System { model: model(models, name), parameters: picked(params, &["m", "r", "J", "g"]), inputs: Vec::new() }
+}
+
+/// Accelerations are compared at the scale of g and forces at the scale of m g where everything cancels.
+fn natural(params: &Value) -> f64 {
+    let [m, g] = [&params["m"], &params["g"]].map(|p| p.as_f64().expect("a number"));
+    g.max(m * g)
+}
+
+fn values(entries: &[Scaled]) -> Vec<f64> {
+    entries.iter().map(|e| e.value).collect()
+}
+
+/// Rows of a column-major matrix one after the other, as the golden data has them.
+fn by_rows(matrix: &nalgebra::DMatrix<Scaled>) -> Vec<f64> {
+    values(matrix.transpose().as_slice())
+}
+
+#[test]
+fn formulation_a_follows_the_golden_data() {
+    let models = models();
+    for (case, block) in list(&parse(GOLDEN)["cases"]).iter().flat_map(|c| [(c, "quasi"), (c, "quasi_free")]) {
+        let golden = &case[block];
+        if golden.is_null() {
+            continue;
+        }
+        let system = disk(&models, "RollingDisk", &case["params"]);
+        let (x, v) = (numbers(&golden["x"]), numbers(&golden["v"]));
+        let close = |name: &str, computed: &[f64]| {
+            assert_close_at(name, computed, &numbers(&golden[name]), TOLERANCE, natural(&case["params"]));
+        };
+        let dynamics = system.dynamics(0.0, &x, &v);
+        close("A", &by_rows(&dynamics.a));
+        close("M", &by_rows(&dynamics.m));
+        close("h", &values(dynamics.h.as_slice()));
+        close("xdot", &system.rates(0.0, &x, &v));
+        let rows = system.rows(0.0, &x, &v);
+        close("C", &by_rows(&rows.c));
+        close("c0", &values(rows.c0.as_slice()));
+        let motion = system.motion(0.0, &x, &v);
+        close("vdot", motion.acceleration.as_slice());
+        close("lambda", motion.multipliers.as_slice());
+    }
+}
+
+#[test]
+fn formulation_b_follows_the_golden_data() {
+    let models = models();
+    for (case, block) in list(&parse(GOLDEN)["cases"]).iter().flat_map(|c| [(c, "holonomic"), (c, "holonomic_free")]) {
+        let golden = &case[block];
+        if golden.is_null() {
+            continue;
+        }
+        let system = disk(&models, "SlidingDisk", &case["params"]);
+        let (q, u) = (numbers(&golden["q"]), numbers(&golden["u"]));
+        let close = |name: &str, computed: &[f64]| {
+            assert_close_at(name, computed, &numbers(&golden[name]), TOLERANCE, natural(&case["params"]));
+        };
+        let (x, v) = (system.coordinates(0.0, &q), system.velocities_of(0.0, &q, &u));
+        close("v", &v);
+        let (d_transposed, a_u) = system.partial_velocities(0.0, &q, &u);
+        close("Btilde", &by_rows(&d_transposed));
+        close("a_u", &values(a_u.as_slice()));
+        let rows = system.rows(0.0, &x, &v);
+        close("C", &by_rows(&rows.c));
+        close("c0", &values(rows.c0.as_slice()));
+        let motion = system.configured_motion(0.0, &q, &u);
+        close("r", motion.reaction.as_slice());
+        let udot = DVector::from_vec(numbers(&golden["udot"]));
+        let expected = d_transposed.map(|e| e.value) * udot + a_u.map(|e| e.value);
+        assert_close_at(
+            "vdot",
+            motion.acceleration.as_slice(),
+            expected.as_slice(),
+            TOLERANCE,
+            natural(&case["params"]),
+        );
+    }
+}
+
+#[test]
+fn formulation_c_follows_the_golden_data() {
+    let models = models();
+    for case in list(&parse(GOLDEN)["cases"]) {
+        let golden = &case["nonholonomic"];
+        let (q, u) = (numbers(&golden["q"]), numbers(&golden["u"]));
+        let close = |name: &str, computed: &[f64]| {
+            assert_close_at(name, computed, &numbers(&golden[name]), TOLERANCE, natural(&case["params"]));
+        };
+        // both stages at once, and the second stage by itself
+        let stages = disk(&models, "RollingDiskInStages", &case["params"]);
+        let motion = stages.configured_motion(0.0, &q, &u);
+        let (d_transposed, a_u) = stages.partial_velocities(0.0, &q, &u);
+        let udot = DVector::from_vec(numbers(&golden["udot"]));
+        let expected = d_transposed.map(|e| e.value) * udot + a_u.map(|e| e.value);
+        assert_close_at(
+            "vdot",
+            motion.acceleration.as_slice(),
+            expected.as_slice(),
+            TOLERANCE,
+            natural(&case["params"]),
+        );
+        let second = disk(&models, "RollingDiskSecondStage", &case["params"]);
+        let rows: Rows = second.rows(0.0, &q, &u);
+        close("C", &by_rows(&rows.c));
+        close("c0", &values(rows.c0.as_slice()));
+        let motion = second.motion(0.0, &q, &u);
+        close("udot", motion.acceleration.as_slice());
+        close("lambda", motion.multipliers.as_slice());
+        let dynamics = second.dynamics(0.0, &q, &u);
+        assert_close("M_d", &by_rows(&dynamics.m), &numbers(&case["holonomic"]["M_d"]), TOLERANCE);
+        let energy = dynamics.kinetic.value + dynamics.potential.expect("V").value;
+        close("energy", &[energy]);
+        let sliding = &case["holonomic_free"];
+        if !sliding.is_null() {
+            let h = second.dynamics(0.0, &numbers(&sliding["q"]), &numbers(&sliding["u"])).h;
+            assert_close_at(
+                "h_u",
+                &values(h.as_slice()),
+                &numbers(&sliding["h_u"]),
+                TOLERANCE,
+                natural(&case["params"]),
+            );
+        }
+    }
+}
+
+#[test]
+fn a_merged_height_changes_nothing() {
+    let models = models();
+    for case in list(&parse(GOLDEN)["cases"]) {
+        let golden = &case["quasi"];
+        let (x, v) = (numbers(&golden["x"]), numbers(&golden["v"]));
+        let motion = disk(&models, "RollingDiskOnFloor", &case["params"]).motion(0.0, &x, &v);
+        assert_eq!(motion.freedom, 3);
+        assert_close_at(
+            "vdot",
+            motion.acceleration.as_slice(),
+            &numbers(&golden["vdot"]),
+            TOLERANCE,
+            natural(&case["params"]),
+        );
+        let r: Vec<Vec<f64>> = list(&golden["r"]).iter().map(numbers).collect();
+        let total: Vec<f64> = (0..6).map(|i| r.iter().map(|r| r[i]).sum()).collect();
+        assert_close("r", motion.reaction.as_slice(), &total, TOLERANCE);
+    }
+}
+
+/// The two directions of the kinematics undo each other, and Ṙow along a small step is what the dual numbers say.
+#[test]
+fn every_model_is_consistent_with_itself() {
+    let mut random = SplitMix::new(2);
+    for model in &models() {
+        let system = System::nominal(model);
+        for _ in 0..20 {
+            let t = random.between(0.0, 2.0);
+            let guess = random.vector(model.state_coordinates().len(), 0.2, 1.2);
+            let q = closed(&system, t, &guess).expect("Newton's method closes near the guess");
+            let qdot = random.vector(q.len(), -1.0, 1.0);
+            let x = system.coordinates(t, &q);
+            let v = system.velocities_of(t, &q, &qdot);
+            if model.configuration.is_none() {
+                assert_close(&model.name, &system.rates(t, &x, &v), &qdot, 1e-13);
+                let v = onto_velocity_rows(&system, t, &x, &v);
+                for row in 0..model.constraints.len() {
+                    let residual = system.velocity(row, t, &x, &v);
+                    assert!(residual.abs() < 1e-13, "{}: {residual}", model.name);
+                }
+            }
+            bias_is_the_change_of_the_rows(&system, t, &x, &v);
+        }
+    }
+}
+
+/// d/dt of ḟ and φ with v held, by a central difference of fourth order: an independent look at c0*.
+fn bias_is_the_change_of_the_rows(system: &System<'_>, t: f64, x: &[f64], v: &[f64]) {
+    let rows = system.rows(t, x, v);
+    let xdot = system.rates(t, x, v);
+    let step = 1e-3;
+    for (row, bias) in rows.c0.iter().enumerate() {
+        // one step along the tangent; the second derivative of the path does not enter the first derivative of the row
+        let at = |h: f64| {
+            let moved: Vec<f64> = x.iter().zip(&xdot).map(|(x, rate)| x + h * rate).collect();
+            system.velocity(row, t + h, &moved, v)
+        };
+        let difference = (8.0 * (at(step) - at(-step)) - (at(2.0 * step) - at(-2.0 * step))) / (12.0 * step);
+        let size = bias.size.max(rows.velocity[row].size);
+        // truncation h⁴ f⁽⁵⁾/30 with derivatives that grow by the rates (below 20 here), rounding ε/h
+        let bound = size * (20.0 * step).powi(4) / 30.0 + size * f64::EPSILON * 10.0 / step;
+        assert!((difference - bias.value).abs() <= bound, "{} row {row}: {difference} {bias:?}", system.model.name);
+    }
+}
+
+#[test]
+fn nested_duals_differentiate_twice() {
+    let x = Dual::moving(Dual::moving(0.7, 1.0), Dual::constant(1.0));
+    let (sin, cos) = x.sin_cos();
+    let f = (sin * cos / (x.exp() + x.powi(3))).sqrt() + x.ln().atan2(x);
+    assert_close("f, f', f''", &[f.value.value, f.value.rate, f.rate.rate], &EXPECTED, 1e-14);
+}
+
+/// From mpmath: `mp.diff(lambda x: mp.sqrt(mp.sin(x)*mp.cos(x)/(mp.exp(x)+x**3))+mp.atan2(mp.log(x), x), 0.7, k)`.
+const EXPECTED: [f64; 3] = [-0.014005913706163331, 1.938968239147956, -4.569216700849505];

@@ -1,0 +1,8 @@
+//! What several test files need beside the oracle.
+#![allow(dead_code, unused_imports, reason = "every test file uses its own part")]
+
+pub mod extrapolation;
+pub mod golden;
+pub mod running;
+pub mod special;
+pub mod splitmix;
