@@ -2,14 +2,14 @@
 //!
 //! | file | idea |
 //! |---|---|
-//! | [`cost`] | what expressions cost once they run |
+//! | [`mod@cost`] | what expressions cost once they run |
 //! | [`limits`] | the bounds, all in one place |
 //! | [`polynomial`] | sparse polynomials over atoms, exact division |
 //! | [`expand`] | from expressions to polynomials, sin² + cos² = 1 |
 //! | [`angles`] | sines and cosines of sums of angles |
 //! | [`fraction`] | one denominator, and what divides out of it |
 //! | [`factor`] | from polynomials to nested expressions |
-//! | [`normalise`] | a cheap canonical form of one expression |
+//! | [`mod@normalise`] | a cheap canonical form of one expression |
 //! | [`language`] | the e-graph's nodes |
 //! | [`rules`] | what the e-graph knows |
 //! | [`extract`] | the choice that makes all roots together cheap |
