@@ -2,9 +2,10 @@
 //!
 //! Shared nodes count once. Work on parameters alone moves to `prepare` and is free, so the parameter-only factors of
 //! a product are together one factor and the parameter-only terms of a sum together one term. Signs are free.
+//! Sine and cosine of the sum or difference of two other angles, or of twice another, follow from those by products.
 //! A numeric coefficient joins a parameter-only factor of its term where no other expression shares that term.
 
-use crate::symbolic::{Expr, Function, Graph, Node, Stage};
+use crate::symbolic::{Expr, Function, Graph, Node, Rational, Stage};
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// Operations of straight-line code at run time.
@@ -61,10 +62,15 @@ pub fn cost(graph: &Graph, roots: &[Expr]) -> Cost {
     let uses = uses(graph, roots, &nodes);
     let mut cost = Cost::default();
     let mut angles = HashSet::new();
+    let derived = derived_angles(graph, &nodes);
     let mut powers = HashSet::new();
     // Bases of reciprocals: how many products divide by the base, and whether the first could divide outright.
     let mut divisors: BTreeMap<(Expr, u32), (usize, bool)> = BTreeMap::new();
     for e in &nodes {
+        if derived.get(e) == Some(&uses[e]) {
+            // The angle itself is not needed.
+            continue;
+        }
         match graph.node(*e) {
             Node::Number(_) | Node::Symbol(_) => {}
             Node::Sum { constant, terms } => {
@@ -103,6 +109,10 @@ pub fn cost(graph: &Graph, roots: &[Expr]) -> Cost {
                 cost.multiplications += count.saturating_sub(1);
             }
             Node::Function(function, arguments) => match function {
+                Function::Sin | Function::Cos if derived.contains_key(&arguments[0]) => {
+                    cost.multiplications += 2;
+                    cost.additions += 1;
+                }
                 Function::Sin | Function::Cos => {
                     cost.sincos += usize::from(angles.insert(arguments[0]));
                 }
@@ -123,6 +133,64 @@ pub fn cost(graph: &Graph, roots: &[Expr]) -> Cost {
         }
     }
     cost
+}
+
+/// Among more angles than this no sums are looked for.
+const MOST_ANGLES: usize = 24;
+
+/// The angles that are twice another one or the sum or difference of two others, simpler ones first, with how many of
+/// sine and cosine are used.
+fn derived_angles(graph: &Graph, nodes: &[Expr]) -> HashMap<Expr, usize> {
+    let mut angles: BTreeMap<Expr, usize> = BTreeMap::new();
+    for e in nodes {
+        if let Node::Function(Function::Sin | Function::Cos, arguments) = graph.node(*e)
+            && runs(graph, arguments[0])
+        {
+            *angles.entry(arguments[0]).or_default() += 1;
+        }
+    }
+    let mut derived = HashMap::new();
+    if angles.len() < 2 || angles.len() > MOST_ANGLES {
+        return derived;
+    }
+    let mut forms: Vec<(AngleForm, Expr, usize)> =
+        angles.into_iter().map(|(e, uses)| (AngleForm::of(graph, e), e, uses)).collect();
+    forms.sort_by_cached_key(|(form, e, _)| (form.size(), *e));
+    for (i, (angle, e, uses)) in forms.iter().enumerate() {
+        let before = || forms[..i].iter().map(|(form, ..)| form);
+        if before().any(|a| before().any(|b| angle.is(a, b, false) || angle.is(a, b, true))) {
+            derived.insert(*e, *uses);
+        }
+    }
+    derived
+}
+
+/// An angle as a sum: coefficients by term, the constant as that of one.
+struct AngleForm(BTreeMap<Expr, Rational>);
+
+impl AngleForm {
+    fn of(graph: &Graph, e: Expr) -> Self {
+        let (constant, terms) = graph.as_sum(e);
+        let constant = (!constant.is_zero()).then(|| (graph.one(), constant));
+        AngleForm(terms.into_iter().map(|(c, t)| (t, c)).chain(constant).collect())
+    }
+
+    fn coefficient(&self, term: &Expr) -> Rational {
+        self.0.get(term).cloned().unwrap_or(Rational::ZERO)
+    }
+
+    /// Terms, and their coefficients' magnitudes together.
+    fn size(&self) -> (usize, Rational) {
+        let magnitude = |c: &Rational| if c.is_negative() { c.neg() } else { c.clone() };
+        (self.0.len(), self.0.values().fold(Rational::ZERO, |sum, c| sum.add(&magnitude(c))))
+    }
+
+    /// Whether this is a + b, or a - b.
+    fn is(&self, a: &AngleForm, b: &AngleForm, minus: bool) -> bool {
+        let signed = |c: Rational| if minus { c.neg() } else { c };
+        let mut terms = self.0.keys().chain(a.0.keys()).chain(b.0.keys());
+        terms.all(|t| self.coefficient(t) == a.coefficient(t).add(&signed(b.coefficient(t))))
+    }
 }
 
 /// All work, parameters' included, roughly: the size of the expressions as shared trees. Only for ties in [`cost`].
@@ -156,7 +224,7 @@ fn has_parameter_factor(graph: &Graph, e: Expr) -> bool {
 }
 
 /// The expressions that run, each once, in a fixed order.
-fn running(graph: &Graph, roots: &[Expr]) -> Vec<Expr> {
+pub(super) fn running(graph: &Graph, roots: &[Expr]) -> Vec<Expr> {
     let mut seen = HashSet::new();
     let mut order: Vec<Expr> = Vec::new();
     let mut stack: Vec<Expr> = roots.to_vec();

@@ -4,6 +4,8 @@
 pub const POLYNOMIAL_TERMS: usize = 600;
 /// Products of terms that one expansion may form.
 pub const POLYNOMIAL_WORK: usize = 4_000;
+/// Products of terms that the expansions of a whole model may form.
+pub const MODEL_WORK: usize = 60_000;
 /// The highest power of a sum that is expanded.
 pub const EXPANDED_POWER: i32 = 8;
 /// How deep sums in denominators of sums are taken apart.
@@ -16,3 +18,23 @@ pub const FACTOR_TERMS: usize = 32;
 pub const FACTORED_DEPTH: usize = 24;
 /// Trigonometric forms of one numerator that are compared.
 pub const NUMERATOR_FORMS: usize = 4;
+/// Pairs of terms that are drawn together to the sine or cosine of a sum or difference.
+pub const FOLDS: usize = 60;
+/// E-nodes of one group of roots.
+pub const GROUP_NODES: usize = 800;
+/// E-nodes of a whole model.
+pub const MODEL_NODES: usize = 15_000;
+/// Expressions that run in one group, before its e-graph is grown.
+pub const GROUP_SEEDS: usize = 200;
+/// Rounds of rules.
+pub const ROUNDS: usize = 3;
+/// Ways in which a term of a sum is read as a product.
+pub const READINGS: usize = 3;
+/// Passes of the extraction over all classes.
+pub const EXTRACTION_PASSES: usize = 12;
+/// Reciprocals and angles that the extraction tries to do without, in a group.
+pub const EXTRACTION_BANS: usize = 8;
+/// Choices that the extraction tries against all roots of a group.
+pub const EXTRACTION_TRIALS: usize = 200;
+/// Denominators and arguments of functions that are normalised on their own, in a model.
+pub const INNER_FORMS: usize = 100;

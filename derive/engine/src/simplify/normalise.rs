@@ -1,10 +1,11 @@
 //! A cheap canonical form of one expression.
 
+use super::angles::fold;
 use super::cost::{cost, total};
 use super::expand::{Angle, Atoms, Depth, angles, expand, reduce};
 use super::factor::{Style, write};
 use super::fraction::{Fraction, Sums};
-use super::limits::NUMERATOR_FORMS;
+use super::limits::{MODEL_WORK, NUMERATOR_FORMS};
 use super::polynomial::{Monomial, Polynomial, Work};
 use crate::symbolic::{Expr, Graph, Node};
 use std::collections::BTreeSet;
@@ -14,12 +15,17 @@ use std::collections::BTreeSet;
 /// Meant for the steps of an elimination, where what cancels must cancel at once. The expression comes back as it is
 /// where no form within the limits is cheaper.
 pub fn normalise(graph: &mut Graph, e: Expr) -> Expr {
+    normalise_within(graph, e, &mut { MODEL_WORK })
+}
+
+/// [`normalise`] out of the work that a model has left.
+pub(super) fn normalise_within(graph: &mut Graph, e: Expr, left: &mut usize) -> Expr {
     if !matches!(graph.node(e), Node::Sum { .. } | Node::Product(_)) {
         return e;
     }
     let mut best = (rank(graph, e), e);
     for depth in [Depth::Full, Depth::Running] {
-        let Some((found, atoms)) = forms(graph, e, depth) else { continue };
+        let Some((found, atoms)) = forms(graph, e, depth, left) else { continue };
         let mut chosen = false;
         for form in found {
             let rank = rank(graph, form);
@@ -42,21 +48,37 @@ pub(super) fn rank(graph: &Graph, e: Expr) -> (usize, usize) {
 }
 
 /// Forms of an expression that are worth comparing; `None` beyond the limits.
-pub(super) fn forms(graph: &mut Graph, e: Expr, depth: Depth) -> Option<(Vec<Expr>, Atoms)> {
-    let (mut atoms, mut sums, mut work) = (Atoms::default(), Sums::default(), Work::default());
-    let polynomial = expand(graph, e, depth, &mut atoms, &mut work)?;
-    let mut fraction = Fraction::of(graph, polynomial, depth, &mut atoms, &mut sums, &mut work)?;
-    let angles = angles(graph, &mut atoms);
-    fraction.cancel(graph, depth, &mut atoms, &mut sums, &angles, &mut work)?;
+pub(super) fn forms(graph: &mut Graph, e: Expr, depth: Depth, left: &mut usize) -> Option<(Vec<Expr>, Atoms)> {
+    let mut work = Work::out_of(*left);
+    let before = work.left();
+    let found = forms_within(graph, e, depth, &mut work);
+    *left -= before - work.left();
+    found
+}
+
+fn forms_within(graph: &mut Graph, e: Expr, depth: Depth, work: &mut Work) -> Option<(Vec<Expr>, Atoms)> {
+    let (mut atoms, mut sums) = (Atoms::default(), Sums::default());
+    let polynomial = expand(graph, e, depth, &mut atoms, work)?;
+    let mut fraction = Fraction::of(graph, polynomial, depth, &mut atoms, &mut sums, work)?;
+    let turns = angles(graph, &mut atoms);
+    fraction.cancel(graph, depth, &mut atoms, &mut sums, &turns, work)?;
     let mut out: Vec<Expr> = Vec::new();
     let styles: &[Style] = match fraction.denominator.keys().any(|a| atoms.runs(*a)) {
         true => &[Style::Split, Style::Joint],
         false => &[Style::Split],
     };
-    for numerator in variants(&fraction.numerator, &angles, &atoms, &mut work) {
+    let mut numerators = variants(&fraction.numerator, &turns, &atoms, work);
+    if turns.len() > 1
+        && let Some(folded) = fold(graph, &fraction.numerator, &turns, &mut atoms)
+    {
+        let more = angles(graph, &mut atoms);
+        let shortest = variants(&folded, &more, &atoms, work).swap_remove(0);
+        numerators.push(shortest);
+    }
+    for numerator in numerators {
         let fraction = Fraction { numerator, denominator: fraction.denominator.clone() };
         for style in styles {
-            if let Some(form) = write(graph, &fraction, *style, &atoms, &sums, &mut work)
+            if let Some(form) = write(graph, &fraction, *style, &atoms, &sums, work)
                 && !out.contains(&form)
             {
                 out.push(form);

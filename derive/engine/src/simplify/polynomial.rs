@@ -90,16 +90,21 @@ pub struct Polynomial(pub BTreeMap<Monomial, Rational>);
 #[derive(Debug)]
 pub struct Work(usize);
 
-impl Default for Work {
-    fn default() -> Self {
-        Work(POLYNOMIAL_WORK)
-    }
-}
-
 impl Work {
+    /// As much as one expression may take, out of what a model has left.
+    pub fn out_of(left: usize) -> Self {
+        Work(left.min(POLYNOMIAL_WORK))
+    }
+
+    /// What is left.
+    pub fn left(&self) -> usize {
+        self.0
+    }
+
     fn spend(&mut self, amount: usize) -> Option<()> {
-        self.0 = self.0.checked_sub(amount)?;
-        Some(())
+        let left = self.0.checked_sub(amount);
+        self.0 = left.unwrap_or(0);
+        left.map(|_| ())
     }
 }
 

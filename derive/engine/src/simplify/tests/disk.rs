@@ -1,7 +1,8 @@
 //! The rolling disk's pieces (Blajer 1992, section 6, as corrected).
 
+use super::random::{Draw, assert_same_values};
 use super::support::Names;
-use crate::simplify::{cost, normalise};
+use crate::simplify::{Options, cost, normalise, simplify};
 use crate::symbolic::{Expr, Kind, Matrix};
 
 fn disk() -> Names {
@@ -145,4 +146,83 @@ fn velocities_of_the_contact_point() {
     let (e, before, after) = normalised(&mut names, &[e]);
     assert_entries(&mut names, &e, &["sin(theta)*cos(theta)*(v2+v3-r*v4) + v5/cos(theta)"]);
     assert!(after < before);
+}
+
+/// The accelerations of the three speeds by elimination of psi, theta, phi in turn, with (6.27) and (6.28).
+fn accelerations(names: &mut Names) -> Vec<Expr> {
+    let h = [
+        "0-2*(m*r^2+J)*w1*w2*sin(theta)*cos(theta) - 2*J*w2*w3*cos(theta)",
+        "(m*r^2+J)*w1^2*sin(theta)*cos(theta) + (m*r^2+2*J)*w1*w3*cos(theta) + m*g*r*sin(theta)",
+        "0-2*(m*r^2+J)*w1*w2*cos(theta)",
+    ]
+    .map(|text| names.parse(text));
+    let [a, b, d, e] =
+        ["(m*r^2+J)*sin(theta)^2+J*(sin(theta)^2+cos(theta)^2)", "(m*r^2+2*J)*sin(theta)", "m*r^2+2*J", "m*r^2+J"]
+            .map(|t| names.parse(t));
+    let g = &mut names.graph;
+    let l = g.div(b, d);
+    let (lb, lh) = (g.mul(l, b), g.mul(l, h[2]));
+    let (pivot, right) = (g.sub(a, lb), g.sub(h[0], lh));
+    let pivot = normalise(g, pivot);
+    g.assume_nonzero(pivot);
+    let x = g.div(right, pivot);
+    let bx = g.mul(b, x);
+    let rest = g.sub(h[2], bx);
+    vec![x, g.div(h[1], e), g.div(rest, d)]
+}
+
+#[test]
+fn the_accelerations_of_the_disk() {
+    let mut names = disk();
+    let roots = accelerations(&mut names);
+    let g = &mut names.graph;
+    let before = cost(g, &roots);
+    let out = simplify(g, &roots, &Options::default());
+    let after = cost(g, &out);
+    assert!(out.iter().zip(&roots).all(|(a, b)| g.identical(*a, *b)));
+    assert_same_values(g, &roots, &out, &mut Draw(3));
+    assert_eq!(g.display(out[0]), "-2*w2*w3/cos(theta)");
+    assert!(after.operations() <= 19 && after.sincos == 1, "{before:?} -> {after:?}");
+}
+
+#[test]
+fn the_same_input_gives_the_same_forms() {
+    // Every hash map of the standard library has an order of its own, so one process is enough to see it.
+    let texts: Vec<Vec<String>> = (0..3)
+        .map(|_| {
+            let mut names = disk();
+            let roots = accelerations(&mut names);
+            let (md, _) = five_coordinates(&mut names);
+            let roots: Vec<Expr> = roots.into_iter().chain(md.entries().to_vec()).collect();
+            let out = simplify(&mut names.graph, &roots, &Options::default());
+            out.iter().map(|e| format!("{} {}", e.index(), names.graph.display(*e))).collect()
+        })
+        .collect();
+    assert_eq!(texts[0], texts[1]);
+    assert_eq!(texts[0], texts[2]);
+}
+
+#[test]
+fn large_and_deep_expressions_stay_within_the_bounds() {
+    let mut names = disk();
+    let (mut e, x) = (names.parse("w1"), names.parse("theta"));
+    let g = &mut names.graph;
+    for _ in 0..5_000 {
+        let sine = g.sin(e);
+        e = g.add(sine, x);
+    }
+    let mut fraction = names.parse("w2");
+    let y = names.parse("w3 + psi");
+    let g = &mut names.graph;
+    for _ in 0..5_000 {
+        let below = g.div(y, fraction);
+        fraction = g.add(below, x);
+    }
+    let sum = names.parse("w1 + w2 + w3 + v1 + v2 + v3 + v4 + v5 + v6 + sin(phi)");
+    let g = &mut names.graph;
+    let (power, product) = (g.powi(sum, 30), g.product(&[sum, fraction]));
+    let roots = [e, fraction, power, product];
+    let out = simplify(g, &roots, &Options::default());
+    assert!(cost(g, &out).weight() <= cost(g, &roots).weight());
+    assert_eq!(normalise(g, power), power);
 }

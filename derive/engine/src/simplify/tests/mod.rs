@@ -1,3 +1,4 @@
 mod disk;
 mod random;
+mod rules;
 mod support;

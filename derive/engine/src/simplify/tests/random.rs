@@ -1,7 +1,7 @@
 //! Random expressions of mechanical flavour: cheaper or equal, and the same function, exactly and in doubles.
 
 use super::support::Names;
-use crate::simplify::{cost, normalise};
+use crate::simplify::{Options, cost, normalise, simplify};
 use crate::symbolic::modular::mix;
 use crate::symbolic::{Expr, Graph, Kind, Rational, Stage};
 
@@ -104,4 +104,27 @@ fn normal_forms_are_the_same_function_and_never_dearer() {
         }
     }
     assert!(cheaper > 40, "{cheaper}");
+}
+
+#[test]
+fn roots_together_are_the_same_functions_and_never_dearer() {
+    let mut draw = Draw(2);
+    let (mut all_before, mut all_after) = (0, 0);
+    for _ in 0..40 {
+        let mut names = names();
+        let roots = expressions(&mut names, &mut draw, 10);
+        let g = &mut names.graph;
+        let out = simplify(g, &roots, &Options::default());
+        for (new, old) in out.iter().zip(&roots) {
+            assert!(g.identical(*new, *old), "{} -> {}", g.display(*old), g.display(*new));
+        }
+        let (before, after) = (cost(g, &roots).weight(), cost(g, &out).weight());
+        assert!(after <= before, "{before} {after}");
+        all_before += before;
+        all_after += after;
+        assert_same_values(g, &roots, &out, &mut draw);
+        assert_eq!(simplify(&mut g.clone(), &roots, &Options { enabled: false }), roots);
+    }
+    assert!(all_after < all_before, "{all_before} {all_after}");
+    println!("{all_before} -> {all_after}");
 }
