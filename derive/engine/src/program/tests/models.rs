@@ -118,7 +118,7 @@ pub fn reduce(given: Given) -> Equations {
 }
 
 /// The solution of a symmetric system, and the pivots.
-fn solve(g: &mut Graph, matrix: &Matrix, right: &[Expr]) -> (Vec<Expr>, Vec<Expr>) {
+pub fn solve(g: &mut Graph, matrix: &Matrix, right: &[Expr]) -> (Vec<Expr>, Vec<Expr>) {
     let n = right.len();
     let (mut a, mut b) = (matrix.clone(), right.to_vec());
     let mut pivots = Vec::new();
