@@ -187,6 +187,20 @@ fn parameter_work_is_free() {
 }
 
 #[test]
+fn what_cancels_is_checked() {
+    // (m x + l y) / m: the program has x + (l / m) y, and must still refuse m = 0.
+    let equations = outputs(|g, v| {
+        let a = g.mul(v[0], v[3]);
+        let b = g.mul(v[1], v[4]);
+        let sum = g.add(a, b);
+        vec![g.div(sum, v[0])]
+    });
+    let programs = check(&equations);
+    assert!(programs.values.guards.iter().any(|g| g.name == "m"));
+    assert_eq!(programs.function("multipliers").expect("it exists").count, arithmetic(1, 1, 0));
+}
+
+#[test]
 fn common_work_is_done_once() {
     // x y u and x y: two products.
     let count = cost(|g, v| vec![g.product(&[v[3], v[4], v[5]]), g.mul(v[3], v[4])]);
