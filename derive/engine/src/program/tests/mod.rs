@@ -1,12 +1,14 @@
 //! Programs against the graph they come from, and against counts by hand.
 
+pub(crate) mod disks;
 mod laws;
 pub(crate) mod models;
 
 use super::*;
 use crate::projection::Equations;
 use crate::symbolic::{Expr, Graph, Rational, Symbol};
-use models::{disk, disk_stage, outputs, pendulum};
+use disks::{disk, disk_stage};
+use models::{outputs, pendulum};
 
 /// A value for each symbol: fixed, away from zero, different from run to run.
 fn value(run: usize) -> impl Fn(Symbol) -> f64 {
