@@ -122,7 +122,7 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
         quote!(#krate::MultiplierInfo { name: #name, row: #row })
     });
     let guards = e.guards.iter().map(|g| guard(target, g));
-    let parameter_guards = e.parameter_guards.iter().map(|g| guard(target, g));
+    let parameter_guards = programs.values.guards.iter().map(|g| guard(target, g));
     let lines = texts
         .lines
         .iter()

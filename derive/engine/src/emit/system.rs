@@ -36,7 +36,7 @@ pub fn diverging(target: &Target, known: &Known) -> TokenStream {
     structs.definitions.extend(placeholders(target, &types));
     let krate = &target.krate;
     let scalar = &types.scalar;
-    let (k, n, m) = (known.state.len() - known.state_coordinates, known.velocities.len(), known.rows);
+    let (k, n, m) = (known.state.len().saturating_sub(known.state_coordinates), known.velocities.len(), known.rows);
     let x = known.coordinates.len();
     use Arguments::{Coordinates, CoordinatesVelocities, CoordinatesVelocitiesInputs, State, StateInputs};
     let all: [(&str, Arguments, Vec<Shape>); 21] = [
@@ -117,7 +117,7 @@ fn block(target: &Target, types: &Types, model: &TokenStream, functions: &TokenS
         let (rows, columns) = (Literal::usize_unsuffixed(rows), Literal::usize_unsuffixed(columns));
         quote!(#krate::__private::SMatrix<#t, #rows, #columns>)
     };
-    let (k, n, m) = (known.state.len() - known.state_coordinates, known.velocities.len(), known.rows);
+    let (k, n, m) = (known.state.len().saturating_sub(known.state_coordinates), known.velocities.len(), known.rows);
     let (coordinates, speeds, guards) = (array(known.coordinates.len()), array(k), array(known.guards));
     let (rows, positions) = (array(m), array(known.position_rows));
     let (mass, system, constraint, complement) = (matrix(k, k), matrix(n, n), matrix(m, n), matrix(k, n));
@@ -184,12 +184,12 @@ fn prepare(target: &Target, types: &Types, programs: &Programs) -> TokenStream {
         }
     });
     let result = if types.values.fields.is_empty() {
-        quote!([])
+        quote!(::core::result::Result::Ok([]))
     } else {
         let name = target.type_name("Values");
         let all = types.values.fields.iter().map(|f| ident(f, proc_macro2::Span::call_site())).collect::<Vec<_>>();
-        let (own, derived) = all.split_at(values.parameters);
-        let derived = derived.iter().zip(quantities).map(|(field, r)| {
+        let (own, added) = all.split_at(values.parameters);
+        let derived = added.iter().zip(quantities).map(|(field, r)| {
             let value = writer.expression(*r);
             if *field == value {
                 quote!(#field)
@@ -200,7 +200,15 @@ fn prepare(target: &Target, types: &Types, programs: &Programs) -> TokenStream {
         });
         let own = own.iter().map(|field| quote!(#field: p.#field));
         let fields = own.chain(derived);
-        quote!(#name { #(#fields),* })
+        // A quotient or a root of parameters that the model itself writes has no guard.
+        let texts = programs.graph.display_all(&values.quantities[values.parameters..]);
+        let sound = (!added.is_empty())
+            .then(|| quote!(#krate::__private::check_parameters(&[#(#texts),*], &[#(values.#added),*])?;));
+        quote! {
+            let values = #name { #(#fields),* };
+            #sound
+            ::core::result::Result::Ok(values)
+        }
     };
     let parameters = types.of(target, &types.parameters, &quote!(f64));
     let given = types.of(target, &types.parameters, &quote!(#scalar));
@@ -225,7 +233,7 @@ fn prepare(target: &Target, types: &Types, programs: &Programs) -> TokenStream {
             #finite
             #lets
             #guarded
-            ::core::result::Result::Ok(#result)
+            #result
         }
     }
 }

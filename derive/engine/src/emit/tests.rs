@@ -2,7 +2,8 @@
 
 use super::{Declared, Known, Target, diverging, implementation};
 use crate::program::programs;
-use crate::program::tests::models::{chain, disk, disk_stage, pendulum};
+use crate::program::tests::disks::{disk, disk_stage};
+use crate::program::tests::models::{chain, pendulum};
 use crate::projection::Equations;
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::format_ident;

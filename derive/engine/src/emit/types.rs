@@ -13,6 +13,7 @@ pub fn allowed() -> TokenStream {
             clippy::all,
             clippy::nursery,
             clippy::pedantic,
+            clippy::restriction,
             dead_code,
             non_camel_case_types,
             non_snake_case,

@@ -3,7 +3,7 @@
 //! | file | idea |
 //! |---|---|
 //! | [`entry`] | the functions of a model, what they read and what they return |
-//! | [`unit`] | n-ary sums and products over shared units |
+//! | [`mod@unit`] | n-ary sums and products over shared units |
 //! | [`lower`] | the graph as units: parameter-only work split off, like terms collected |
 //! | [`angles`] | sines and cosines, those of sums of angles by products |
 //! | [`collect`] | sums with their coefficients grouped and common factors taken out |

@@ -148,7 +148,11 @@ impl Names {
             Operation::Negate(a) => format!("minus_{}", of(*a)?),
             Operation::Add(a, b) => format!("{}_plus_{}", of(*a)?, of(*b)?),
             Operation::Subtract(a, b) => format!("{}_minus_{}", of(*a)?, of(*b)?),
-            Operation::Multiply(a, b) => format!("{}_{}", of(*a)?, of(*b)?),
+            Operation::Multiply(a, b) => match (of(*a)?, of(*b)?) {
+                (a, b) if b.starts_with("one_over_") => format!("{a}{}", &b["one".len()..]),
+                (a, b) if a.starts_with("one_over_") => format!("{b}{}", &a["one".len()..]),
+                (a, b) => format!("{a}_{b}"),
+            },
             Operation::Divide(a, b) => format!("{}_over_{}", of(*a)?, of(*b)?),
             Operation::Sine(a) => format!("sin_{}", of(*a)?),
             Operation::Cosine(a) => format!("cos_{}", of(*a)?),

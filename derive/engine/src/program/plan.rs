@@ -8,7 +8,7 @@ use super::names::{Namer, Names, quantity};
 use super::operation::{Code, Count, Leaf};
 use super::schedule::{Numbers, Registry, schedule};
 use super::share::share;
-use crate::projection::Equations;
+use crate::projection::{Equations, Guard, GuardKind};
 use crate::symbolic::{Expr, Graph, Symbol};
 use std::collections::BTreeMap;
 
@@ -39,7 +39,9 @@ pub struct Values {
     pub quantities: Vec<Expr>,
     /// How many of them are parameters.
     pub parameters: usize,
-    /// Gives the quantities behind the parameters, then the figures of the parameter guards.
+    /// What must hold of the parameters: the guards of the equations, then what cancelled on the way to the programs.
+    pub guards: Vec<Guard>,
+    /// Gives the quantities behind the parameters, then the figures of the guards.
     pub code: Code,
     /// How it is written down.
     pub layout: Layout,
@@ -74,6 +76,12 @@ pub struct Unbound {
     pub function: &'static str,
     /// The symbol's name.
     pub symbol: String,
+}
+
+impl std::fmt::Display for Unbound {
+    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(out, "`{}` depends on `{}`, which it cannot read", self.function, self.symbol)
+    }
 }
 
 /// The programs of all functions of the model.
@@ -137,8 +145,9 @@ fn prepare(graph: &mut Graph, equations: &Equations, registry: Registry, names: 
     let quantities = registry.quantities;
     let parameters = equations.parameters.len();
     let places = places(equations, Arguments::Parameters);
+    let guards = parameter_guards(graph, equations);
     let mut roots = quantities[parameters..].to_vec();
-    roots.extend(equations.parameter_guards.iter().map(|g| g.expr));
+    roots.extend(guards.iter().map(|g| g.expr));
     let mut rests = Rests::default();
     let mut lowering = Lowering::new(graph, &mut rests, Manner { numeric: true, factor: true });
     let lowered = lowering.lower(&roots, &|symbol| places.get(&symbol).copied());
@@ -154,12 +163,26 @@ fn prepare(graph: &mut Graph, equations: &Equations, registry: Registry, names: 
         };
         names.values.push(name);
     }
-    let guards: Vec<String> = (1..=equations.parameter_guards.len()).map(|i| format!("guard_{i}")).collect();
+    let figures: Vec<String> = (1..=guards.len()).map(|i| format!("guard_{i}")).collect();
     let fields = names.values[parameters..].iter().map(|n| (n.as_str(), false));
-    let labels: Vec<(&str, bool)> = fields.chain(guards.iter().map(|n| (n.as_str(), true))).collect();
+    let labels: Vec<(&str, bool)> = fields.chain(figures.iter().map(|n| (n.as_str(), true))).collect();
     let layout = Layout::new(&code, names, &labels);
     let count = code.count();
-    Ok(Values { quantities, parameters, code, layout, count })
+    Ok(Values { quantities, parameters, guards, code, layout, count })
+}
+
+/// A parameter-only base that cancelled against its reciprocal must not be zero, as if it had not.
+fn parameter_guards(graph: &Graph, equations: &Equations) -> Vec<Guard> {
+    let mut guards = equations.parameter_guards.clone();
+    let before: Vec<Expr> = equations.graph.cancelled().chain(guards.iter().map(|g| g.expr)).collect();
+    let new: Vec<Expr> = graph.cancelled().filter(|e| !before.contains(e)).collect();
+    guards.extend(new.iter().zip(graph.display_all(&new)).map(|(expr, name)| Guard {
+        expr: *expr,
+        name,
+        kind: GuardKind::Pivot,
+        origin: "the equations divide by it".to_owned(),
+    }));
+    guards
 }
 
 fn unbound(function: &'static str, equations: &Equations, symbol: Symbol) -> Unbound {

@@ -1,7 +1,8 @@
 //! Bounds of the emitted code, and names.
 
 use super::check;
-use super::models::{chain, disk, outputs};
+use super::disks::disk;
+use super::models::{chain, outputs};
 use crate::program::layout::{FLAT, LARGEST_FUNCTION, results};
 use crate::program::names::{Namer, identifier};
 use crate::program::{Layout, programs};

@@ -1,12 +1,14 @@
 //! Programs against the graph they come from, and against counts by hand.
 
+pub(crate) mod disks;
 mod laws;
 pub(crate) mod models;
 
 use super::*;
 use crate::projection::Equations;
 use crate::symbolic::{Expr, Graph, Rational, Symbol};
-use models::{disk, disk_stage, outputs, pendulum};
+use disks::{disk, disk_stage};
+use models::{outputs, pendulum};
 
 /// A value for each symbol: fixed, away from zero, different from run to run.
 fn value(run: usize) -> impl Fn(Symbol) -> f64 {
@@ -117,6 +119,47 @@ fn the_disk_is_cheap() {
     assert!(derivative.operations() <= 40 && derivative.sincos == 1, "{derivative:?}");
 }
 
+/// One state of the disk in both formulations, from a computation in 50-digit arithmetic that knows nothing of this
+/// engine.
+#[test]
+fn the_disk_has_its_reference_values() {
+    let close = |found: Vec<f64>, exact: &[f64]| {
+        assert_eq!(found.len(), exact.len());
+        for (a, b) in found.iter().zip(exact) {
+            assert!((a - b).abs() <= 1e-13 * (1.0 + b.abs()), "{a} and {b}");
+        }
+    };
+    let given = |equations: &Equations, values: &[(&str, f64)]| {
+        let values: Vec<(String, f64)> = values.iter().map(|(n, x)| ((*n).to_owned(), *x)).collect();
+        let graph = equations.graph.clone();
+        move |s: Symbol| values.iter().find(|(n, _)| n == graph.name(s)).map_or(f64::NAN, |(_, x)| *x)
+    };
+    let parameters = [("m", 1.8125), ("r", 0.625), ("j", 0.7265625), ("g", 2.0625)];
+    let angles = [("phi", 2.5), ("theta", 0.609375), ("psi", -0.65625)];
+
+    let equations = disk();
+    let speeds = [("v6", 1.8696988364731948), ("v5", -2.7162695434095876), ("v4", -1.90625)];
+    let at = given(&equations, &[&parameters[..], &angles, &speeds].concat());
+    let programs = programs(&equations).expect("the functions read what they may");
+    let run = |name: &str| programs.evaluate(&equations, name, &at).expect("it exists");
+    let rates = [1.8855040170587014, -1.4085135422759132, 0.0, -3.3125, 1.90625, 3.765625];
+    let accelerations = [1.6963259794013925, -10.742336063277028, 9.326808291316457];
+    close(run("derivative")[..6].to_vec(), &rates);
+    close(run("accelerations"), &accelerations);
+    close(run("multipliers"), &[3.9439579021082376, 2.9646171533294847, 6.952040872549438]);
+
+    let equations = disk_stage();
+    let speeds = [("omega1", -3.3125), ("omega2", 1.90625), ("omega3", 3.765625)];
+    let at = given(&equations, &[&parameters[..], &angles, &speeds].concat());
+    let programs = super::programs(&equations).expect("the functions read what they may");
+    let run = |name: &str| programs.evaluate(&equations, name, &at).expect("it exists");
+    let (m11, m13, m22, m33) = (1.1965138536644977, 1.23693531836227, 1.4345703125, 2.1611328125);
+    let forcing = [-0.050403406977842936, -13.37996228510144, 14.856091156945174];
+    close(run("mass_matrix_and_forcing")[..9].to_vec(), &[m11, 0.0, m13, 0.0, m22, 0.0, m13, 0.0, m33]);
+    close(run("forcing"), &forcing);
+    close(run("accelerations"), &[-17.507734169106833, -9.326808291316457, 16.894855181516675]);
+}
+
 #[test]
 fn parameter_work_is_free() {
     // 2 m l x + m g: one product and one sum.
@@ -143,6 +186,20 @@ fn parameter_work_is_free() {
         vec![g.div(sum, v[2])]
     });
     assert_eq!(count, arithmetic(1, 2, 0));
+}
+
+#[test]
+fn what_cancels_is_checked() {
+    // (m x + l y) / m: the program has x + (l / m) y, and must still refuse m = 0.
+    let equations = outputs(|g, v| {
+        let a = g.mul(v[0], v[3]);
+        let b = g.mul(v[1], v[4]);
+        let sum = g.add(a, b);
+        vec![g.div(sum, v[0])]
+    });
+    let programs = check(&equations);
+    assert!(programs.values.guards.iter().any(|g| g.name == "m"));
+    assert_eq!(programs.function("multipliers").expect("it exists").count, arithmetic(1, 1, 0));
 }
 
 #[test]
