@@ -140,6 +140,6 @@ impl Simplifier for Forms {
         simplify::normalise(graph, e)
     }
     fn all(&mut self, graph: &mut Graph, roots: &[Expr]) -> Vec<Expr> {
-        roots.iter().map(|e| simplify::normalise(graph, *e)).collect()
+        simplify::simplify(graph, roots, &simplify::Options::default())
     }
 }

@@ -1,7 +1,7 @@
 //! C_d⁻¹ by Gauss-Jordan elimination on the arena.
 //!
-//! Pivots are taken in the order of what they cost at run time: ±1, other numbers, parameters, quantities that are
-//! guarded already, and only then quantities that need a new guard. Every zero test is decided.
+//! Pivots are taken in the order of what they cost at run time: ±1, other numbers, parameters, quantities that cannot
+//! vanish or are guarded already, and only then quantities that need a new guard. Every zero test is decided.
 
 use super::Simplifier;
 use crate::symbolic::{Expr, Graph, Matrix, Rational, Stage};
@@ -47,6 +47,9 @@ pub enum Stuck {
     NeedsGuard,
 }
 
+/// The rank of a pivot that needs a guard of its own.
+const NEW_GUARD: u8 = 5;
+
 /// How dear an entry is as a pivot; `None` where it is zero.
 fn rank(graph: &Graph, e: Expr) -> Option<u8> {
     if graph.is_zero(e) {
@@ -60,8 +63,12 @@ fn rank(graph: &Graph, e: Expr) -> Option<u8> {
         return Some(2);
     }
     let (_, factors) = graph.as_term(e);
-    let known = factors.iter().all(|(base, _)| graph.is_nonzero(*base) || graph.stage(*base) <= Stage::Parameter);
-    Some(if known { 3 } else { 4 })
+    let cannot_vanish = |base: Expr| graph.stage(base) <= Stage::Parameter || graph.bounds(base).exclude_zero();
+    if factors.iter().all(|(base, _)| cannot_vanish(*base)) {
+        return Some(3);
+    }
+    let known = factors.iter().all(|(base, _)| graph.is_nonzero(*base) || cannot_vanish(*base));
+    Some(if known { 4 } else { NEW_GUARD })
 }
 
 /// Reduces C.
@@ -87,7 +94,7 @@ pub fn eliminate(
                 false => Stuck::Forbidden { row },
             });
         };
-        if dear == 4 && !choice.new_guards {
+        if dear == NEW_GUARD && !choice.new_guards {
             return Err(Stuck::NeedsGuard);
         }
         let pivot = reduced.get(row, column);

@@ -46,6 +46,9 @@ impl Guards {
     }
 
     fn push(&mut self, graph: &Graph, expr: Expr, kind: GuardKind, origin: &str) {
+        if kind == GuardKind::Pivot && graph.bounds(expr).exclude_zero() {
+            return;
+        }
         let list = match graph.stage(expr) {
             Stage::Constant => return,
             Stage::Parameter => &mut self.parameters,

@@ -132,7 +132,8 @@ fn check_configuration(
         let Some(f) = row.position else { continue };
         let value = system.graph.substitute(&[f], &carriers.map)[0];
         // A function of q is a constraint of the second stage; of t and parameters alone it can only be wrong.
-        if system.graph.stage(value) <= Stage::Time && !system.graph.vanishes(value) {
+        let slopes = system.graph.jacobian(&[value], &carriers.coordinates);
+        if slopes.entries().iter().all(|e| system.graph.vanishes(*e)) && !system.graph.vanishes(value) {
             let value = simplifier.one(&mut system.graph, value);
             let text = system.graph.display(value);
             errors.report(row.span, messages::configuration_misses(&row.name, &text));

@@ -176,8 +176,14 @@ impl Graph {
             return None;
         }
         let inverse = content.recip()?;
-        let part = self.scale(inverse, sum);
-        (part != sum).then_some((content, part))
+        let terms: Vec<_> = terms.iter().map(|(c, e)| (c.mul(&inverse), *e)).collect();
+        let constant = constant.mul(&inverse);
+        // Interned as it is: a sum that is too long to be flattened would come back unchanged from `linear`.
+        let part = match terms.as_slice() {
+            [(c, e)] if c.is_one() && constant.is_zero() => *e,
+            _ => self.intern(Node::Sum { constant, terms: terms.into_boxed_slice() }),
+        };
+        Some((content, part))
     }
 
     /// The product of all.

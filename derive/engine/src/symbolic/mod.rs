@@ -10,11 +10,13 @@
 //! | [`differentiate`] | derivatives, partial and along the motion |
 //! | [`substitute`] | replacing symbols by expressions |
 //! | [`evaluate`] | values over any scalar |
+//! | [`bounds`] | intervals that hold all values |
 //! | [`modular`] | arithmetic modulo a prime of 61 bits |
 //! | [`identity`] | identity decided by modular evaluation |
 //! | [`matrix`] | matrices of expressions |
 //! | [`display`] | text for messages and documentation |
 
+pub mod bounds;
 pub mod construct;
 pub mod differentiate;
 pub mod display;

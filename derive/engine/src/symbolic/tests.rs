@@ -176,3 +176,14 @@ fn text_reads_as_written() {
     let q = g.div(m, d);
     assert_eq!(g.display(q), "m/(x - y)");
 }
+
+#[test]
+fn the_content_of_a_long_sum_is_taken_out() {
+    let mut g = Graph::new();
+    let x: Vec<Expr> = (0..40).map(|i| g.symbol(&format!("x{i}"), Kind::Coordinate)).map(|s| g.var(s)).collect();
+    let terms: Vec<_> = x.iter().map(|e| (Rational::integer(2), *e)).collect();
+    let (long, half) = (g.linear(Rational::ZERO, &terms), g.sum(&x));
+    let (a, b) = (g.mul(long, x[0]), g.mul(half, x[0]));
+    let twice = g.scale(Rational::integer(2), b);
+    assert_eq!(a, twice);
+}
