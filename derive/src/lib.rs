@@ -1,1 +1,109 @@
-//! The derive.
+//! The derive of [holonomy](https://docs.rs/holonomy): a mechanism declared on a struct of parameters becomes its
+//! equations of motion.
+//!
+//! Depend on `holonomy`, which re-exports the derive; this crate is its macro half.
+#![deny(missing_docs)]
+
+use proc_macro::TokenStream;
+
+/// Derives the minimal equations of motion and every constraint reaction of a declared mechanism.
+///
+/// The struct's fields are the parameters. Everything else stands in attributes below the derive, one statement each;
+/// expressions are Rust expressions.
+///
+/// ```
+/// use holonomy::{ConstrainedSystem, State};
+///
+/// /// A pendulum in the plane, its rod kept as a constraint.
+/// #[derive(ConstrainedSystem, Clone)]
+/// #[coordinates(x, y)]
+/// #[inertia(diag(m, m))]
+/// #[forces(0, -m*g)]
+/// #[potential_energy(m*g*y)]
+/// #[configuration(of(alpha), x = l*sin(alpha), y = -l*cos(alpha))]
+/// #[constraint(rod: (powi(x, 2) + powi(y, 2) - powi(l, 2))/2 == 0)]
+/// struct Pendulum {
+///     m: f64,
+///     l: f64,
+///     g: f64,
+/// }
+///
+/// # fn main() -> Result<(), holonomy::Error> {
+/// let pendulum = Pendulum { m: 1.0, l: 2.0, g: 9.81 }.prepare()?;
+/// let start = State::<Pendulum> { alpha: 0.1, dot_alpha: 0.0 };
+/// let run = pendulum.simulate(start).until(1.0)?;
+/// let (t, end) = run.last();
+/// assert!((pendulum.energy(t, end) - pendulum.energy(0.0, &start)).abs() < 1e-6);
+/// // The rod's force on the mass is Cᵀ λ: with C = [x, y] it is l·λ along the rod.
+/// println!("{}", 2.0 * pendulum.multipliers(t, end, &[]).rod);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Statements
+///
+/// | statement | what it declares |
+/// |---|---|
+/// | `coordinates(x, y)` | the coordinates x, with doc comments before the names |
+/// | `speeds(v1, v2)` | the speeds v; without it v = ẋ, each called `dot_x` |
+/// | `kinematics(v1 = .., ..)` or `kinematics(dot(x) = .., ..)` | v = B ẋ + b0 (2.2) or ẋ = A v + a0 (2.1); the other direction is derived, or checked where both are given |
+/// | `inertia(diag(..))`, `inertia(matrix([a, b], [_, c]))` | M (2.3); `_` stands for the entry across the diagonal |
+/// | `forces(..)` | h* (2.3): all of it, gyroscopic terms included, one entry a speed |
+/// | `constraint(name: left == right)` | a row f(x, t) or φ(v, x, t); the kind is read off what it mentions; f is left minus right |
+/// | `configuration(z = 0, x = ..)` | x = g(q, t) (4.2): the named coordinates as functions of the others; `of(alpha)` introduces further q |
+/// | `independent(v6, dot(phi))` | the independent speeds u, in this order; else the cheapest pivots choose |
+/// | `complement(u1 = [..], ..)` | D (3.1) by rows, each with the name of its speed; D Cᵀ ≡ 0 is decided |
+/// | `potential_energy(V)` | V(x, t), for `energy` |
+/// | `define(mu = ..)` | names for intermediate quantities |
+/// | `inputs(tau)` | inputs, given at every call |
+/// | `start(theta = 0.3)`, `nominal(9.81)` and `unit(kg)` on fields | figures and units that judge and document; they never enter the equations |
+/// | `holonomy(crate = path, simplify = off)` | where the runtime is found; whether cheaper forms are searched |
+///
+/// Functions: `sin cos tan sqrt exp ln atan2(y, x) powi(x, n) dot(q)`. `t` is time, `PI` is π. Literals are exact:
+/// `0.1` is one tenth, `1/2` one half.
+///
+/// # What it emits
+///
+/// An implementation of `holonomy::ConstrainedSystem` and the structs that it names: `PendulumState`,
+/// `PendulumVelocities`, `PendulumMultipliers`, `PendulumParameters`, `PendulumValues`, and `PendulumInputs` where there
+/// are inputs. A model that makes no sense does not compile, and the errors stand at the tokens at fault, all at once.
+#[proc_macro_derive(
+    ConstrainedSystem,
+    attributes(
+        coordinates,
+        speeds,
+        kinematics,
+        inertia,
+        forces,
+        potential_energy,
+        constraint,
+        configuration,
+        independent,
+        complement,
+        inputs,
+        define,
+        start,
+        holonomy,
+        unit,
+        nominal,
+        kinetic_energy,
+        function,
+        output,
+        size,
+        frame,
+        point,
+        particle,
+        body,
+        gravity,
+        force,
+        torque,
+        generalized_force,
+        spring,
+        damper,
+        armature,
+        release
+    )
+)]
+pub fn constrained_system(input: TokenStream) -> TokenStream {
+    holonomy_engine::expand(input.into()).into()
+}

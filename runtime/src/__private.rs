@@ -32,17 +32,10 @@ pub fn check_parameter_guards<T: Scalar>(guards: &[GuardInfo], values: &[T]) -> 
         }
         match guard.kind {
             GuardKind::Positive if value <= 0.0 => {
-                return Err(Error::Indefinite {
-                    pivot: guard.name,
-                    value,
-                    time: None,
-                });
+                return Err(Error::Indefinite { pivot: guard.name, value, time: None });
             }
             GuardKind::Pivot if value == 0.0 => {
-                return Err(Error::SingularParameter {
-                    guard: guard.name,
-                    origin: guard.origin,
-                });
+                return Err(Error::SingularParameter { guard: guard.name, origin: guard.origin });
             }
             _ => {}
         }

@@ -15,6 +15,7 @@ const MET: f64 = 8.0 * f64::EPSILON;
 const STALLED: f64 = 1e-12;
 /// Singular values below this fraction of the largest count as zero.
 const RANK: f64 = 1e-10;
+const PASSES: usize = 3;
 const ITERATIONS: usize = 200;
 const HALVINGS: usize = 40;
 
@@ -50,12 +51,7 @@ impl<M: ConstrainedSystem> Prepared<M> {
     ///
     /// The independent speeds stay as they are: with them, all velocities satisfy the velocity constraints by construction.
     pub fn assemble(&self, guess: M::State<f64>) -> Assembly<'_, M> {
-        Assembly {
-            model: self,
-            guess,
-            time: 0.0,
-            held: Vec::new(),
-        }
+        Assembly { model: self, guess, time: 0.0, held: Vec::new() }
     }
 }
 
@@ -80,16 +76,18 @@ impl<M: ConstrainedSystem> Assembly<'_, M> {
         let mut free = alloc::vec![true; M::MODEL.state_coordinates.len()];
         for name in self.held {
             match names.iter().position(|entry| *entry == name) {
-                Some(at) => free
-                    .iter_mut()
-                    .skip(at)
-                    .take(1)
-                    .for_each(|free| *free = false),
+                Some(at) => free.iter_mut().skip(at).take(1).for_each(|free| *free = false),
                 None => return Err(Error::UnknownName { name, known: names }),
             }
         }
         check_finite::<M>(self.time, &self.guess)?;
-        newton(self.model, self.time, self.guess, &free)
+        let mut s = self.guess;
+        for _ in 0..PASSES {
+            // Far from the solution the terms are large, and so is their rounding: what counts is their size at the solution.
+            let mut manifold = Manifold::new(self.model, self.time, &s)?;
+            s = newton(self.model, &mut manifold, self.time, s, &free)?;
+        }
+        Ok(s)
     }
 }
 
@@ -118,22 +116,17 @@ pub(crate) fn check_finite<M: ConstrainedSystem>(t: f64, s: &M::State<f64>) -> R
 pub(crate) fn first_non_finite<M: ConstrainedSystem>(s: &M::State<f64>) -> Option<&'static str> {
     let array: <M::State<f64> as Vector<f64>>::Array = (*s).into();
     let at = array.as_ref().iter().position(|entry| !entry.is_finite())?;
-    Some(
-        <M::State<f64> as Vector<f64>>::NAMES
-            .get(at)
-            .copied()
-            .unwrap_or("state"),
-    )
+    Some(<M::State<f64> as Vector<f64>>::NAMES.get(at).copied().unwrap_or("state"))
 }
 
 /// Newton's method with steps of least norm, halved until the residual falls.
 fn newton<M: ConstrainedSystem>(
     model: &Prepared<M>,
+    manifold: &mut Manifold<M>,
     t: f64,
     guess: M::State<f64>,
     free: &[bool],
 ) -> Result<M::State<f64>, Error> {
-    let mut manifold = Manifold::new(model, t, &guess)?;
     let mut s = guess;
     let mut f = model.position_residual_at(t, &s).into();
     for _ in 0..ITERATIONS {
@@ -144,11 +137,10 @@ fn newton<M: ConstrainedSystem>(
         if manifold.worst(f.as_ref()).1 <= MET {
             return Ok(s);
         }
-        let Some(step) = least_norm_step(&manifold, f.as_ref(), free) else {
+        let Some(step) = least_norm_step(manifold, f.as_ref(), free) else {
             break;
         };
-        let Some((next, residual)) = descend(model, t, &s, &step, &manifold.sizes, f.as_ref())
-        else {
+        let Some((next, residual)) = descend(model, t, &s, &step, &manifold.sizes, f.as_ref()) else {
             break;
         };
         (s, f) = (next, residual.into());
@@ -158,43 +150,28 @@ fn newton<M: ConstrainedSystem>(
         return Ok(s);
     }
     Err(Error::Assembly {
-        constraint: M::MODEL
-            .position_rows
-            .get(row)
-            .copied()
-            .unwrap_or("position"),
+        constraint: M::MODEL.position_rows.get(row).copied().unwrap_or("position"),
         residual: f.as_ref().get(row).copied().unwrap_or(f64::NAN),
     })
 }
 
 /// The shortest step over the free coordinates that meets the linearised constraints, or comes nearest to it.
-fn least_norm_step<M: ConstrainedSystem>(
-    manifold: &Manifold<M>,
-    f: &[f64],
-    free: &[bool],
-) -> Option<DVector<f64>> {
+fn least_norm_step<M: ConstrainedSystem>(manifold: &Manifold<M>, f: &[f64], free: &[bool]) -> Option<DVector<f64>> {
     let weight = |i: usize| {
-        if manifold.sizes[i] > 0.0 {
-            1.0 / manifold.sizes[i]
-        } else {
-            1.0
-        }
+        if manifold.sizes[i] > 0.0 { 1.0 / manifold.sizes[i] } else { 1.0 }
     };
     let columns = manifold.columns;
-    let jacobian = DMatrix::from_fn(f.len(), columns, |i, j| {
-        if free[j] {
-            manifold.jacobian[i * columns + j] * weight(i)
-        } else {
-            0.0
-        }
-    });
+    let jacobian =
+        DMatrix::from_fn(
+            f.len(),
+            columns,
+            |i, j| {
+                if free[j] { manifold.jacobian[i * columns + j] * weight(i) } else { 0.0 }
+            },
+        );
     let residual = DVector::from_fn(f.len(), |i, _| -f[i] * weight(i));
     // The decomposition does not end on numbers that are not finite.
-    if jacobian
-        .iter()
-        .chain(residual.iter())
-        .any(|entry| !entry.is_finite())
-    {
+    if jacobian.iter().chain(residual.iter()).any(|entry| !entry.is_finite()) {
         return None;
     }
     let svd = jacobian.try_svd(true, true, f64::EPSILON, 1000)?;
@@ -204,10 +181,7 @@ fn least_norm_step<M: ConstrainedSystem>(
     }
     let mut step = svd.solve(&residual, threshold).ok()?;
     // Held coordinates move by rounding errors of the decomposition otherwise.
-    step.iter_mut()
-        .zip(free)
-        .filter(|(_, free)| !**free)
-        .for_each(|(delta, _)| *delta = 0.0);
+    step.iter_mut().zip(free).filter(|(_, free)| !**free).for_each(|(delta, _)| *delta = 0.0);
     Some(step)
 }
 
@@ -221,11 +195,7 @@ fn descend<M: ConstrainedSystem>(
     f: &[f64],
 ) -> Option<(M::State<f64>, M::PositionRows<f64>)> {
     let square = |f: &[f64]| -> f64 {
-        f.iter()
-            .zip(sizes)
-            .map(|(f, size)| if *size > 0.0 { f / size } else { *f })
-            .map(|ratio| ratio * ratio)
-            .sum()
+        f.iter().zip(sizes).map(|(f, size)| if *size > 0.0 { f / size } else { *f }).map(|ratio| ratio * ratio).sum()
     };
     let before = square(f);
     let mut fraction = 1.0;

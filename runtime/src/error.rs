@@ -77,7 +77,7 @@ pub enum Error {
         /// The last time at which the state was finite.
         time: f64,
     },
-    /// The tolerance asks for a step that no longer changes the time.
+    /// A step is so small that it hardly changes the time.
     StepTooSmall {
         /// The step.
         step: f64,
@@ -146,51 +146,32 @@ impl fmt::Display for Error {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Error::NonFinite { name } => write!(out, "`{name}` is not a finite number"),
-            Error::Indefinite {
-                pivot,
-                value,
-                time: None,
-            } => write!(
+            Error::Indefinite { pivot, value, time: None } => write!(
                 out,
                 "the inertia is not positive definite: {pivot} is {value:e} and must be positive; check masses and moments of inertia"
             ),
-            Error::Indefinite {
-                pivot,
-                value,
-                time: Some(time),
-            } => write!(
+            Error::Indefinite { pivot, value, time: Some(time) } => write!(
                 out,
                 "the mass matrix is not positive definite at t = {time}: {pivot} is {value:e} and must be positive; check masses and moments of inertia"
             ),
-            Error::SingularParameter { guard, origin } => write!(
-                out,
-                "the parameters make {guard} zero, and the equations divide by it ({origin})"
-            ),
+            Error::SingularParameter { guard, origin } => {
+                write!(out, "the parameters make {guard} zero, and the equations divide by it ({origin})")
+            }
             Error::ChartSingularity { guard, value, time } => write!(
                 out,
                 "the coordinates or independent speeds of the model break down at t = {time}: {guard} is {value:e} and must neither vanish nor change its sign; \
                  choose other coordinates or other independent speeds for this motion"
             ),
-            Error::Unmet {
-                constraint,
-                residual,
-            } => write!(
+            Error::Unmet { constraint, residual } => write!(
                 out,
                 "the start does not satisfy the constraint `{constraint}`: left minus right is {residual:e}; `assemble` finds a start that does"
             ),
-            Error::Projection {
-                constraint,
-                residual,
-                time,
-            } => write!(
+            Error::Projection { constraint, residual, time } => write!(
                 out,
                 "at t = {time} the coordinates could not be brought back onto the constraint `{constraint}`: left minus right is {residual:e}; \
                  take a smaller step or tolerance, or look for a configuration where the constraints depend on each other"
             ),
-            Error::Assembly {
-                constraint,
-                residual,
-            } => write!(
+            Error::Assembly { constraint, residual } => write!(
                 out,
                 "no configuration was found that meets the constraint `{constraint}`: left minus right remains {residual:e}; \
                  start from another guess, hold fewer coordinates, or check the dimensions"
@@ -201,7 +182,7 @@ impl fmt::Display for Error {
             ),
             Error::StepTooSmall { step, time } => write!(
                 out,
-                "at t = {time} the tolerance asks for a step of {step:e}, which no longer changes the time; the motion may be singular or stiff there, or the tolerance too tight"
+                "a step of {step:e} at t = {time} is too small to go on; the motion may be singular or stiff there, or the tolerance, the step or the spacing of the output too fine"
             ),
             Error::TooManySteps { steps, time } => write!(
                 out,
@@ -211,10 +192,7 @@ impl fmt::Display for Error {
                 write!(out, "the {name} must be positive and is {value}")
             }
             Error::MissingInputs { inputs } => {
-                write!(
-                    out,
-                    "the model has inputs; give them with `.inputs(|t, s| ..)`: "
-                )?;
+                write!(out, "the model has inputs; give them with `.inputs(|t, s| ..)`: ")?;
                 list(out, inputs)
             }
             Error::UnknownName { name, known } => {
@@ -225,20 +203,13 @@ impl fmt::Display for Error {
                 out,
                 "{matrix} is singular (relative pivot {pivot:e}): constraints depend on each other, or the inertia is singular"
             ),
-            Error::Shape {
-                matrix,
-                needed,
-                given,
-            } => write!(
+            Error::Shape { matrix, needed, given } => write!(
                 out,
                 "{matrix} must have {} rows and {} columns and has {} and {}",
                 needed.0, needed.1, given.0, given.1
             ),
             Error::OutOfRange { time, from, to } => {
-                write!(
-                    out,
-                    "t = {time} lies outside of the trajectory, which covers {from} to {to}"
-                )
+                write!(out, "t = {time} lies outside of the trajectory, which covers {from} to {to}")
             }
             Error::NoDenseOutput { time } => write!(
                 out,

@@ -67,12 +67,7 @@ impl<M: ConstrainedSystem> Prepared<M> {
     }
 
     /// The same at a state.
-    pub fn initial_equations_at(
-        &self,
-        t: f64,
-        s: &M::State<f64>,
-        i: &M::Inputs<f64>,
-    ) -> InitialEquations {
+    pub fn initial_equations_at(&self, t: f64, s: &M::State<f64>, i: &M::Inputs<f64>) -> InitialEquations {
         self.initial_equations(t, &self.coordinates(t, s), &self.velocities(t, s), i)
     }
 
@@ -93,23 +88,14 @@ impl InitialEquations {
         let (n, m) = (self.forces.len(), self.constraint_bias.len());
         let mut matrix = DMatrix::zeros(n + m, n + m);
         matrix.view_mut((0, 0), (n, n)).copy_from(&self.inertia);
-        matrix
-            .view_mut((0, n), (n, m))
-            .copy_from(&-self.constraint_matrix.transpose());
-        matrix
-            .view_mut((n, 0), (m, n))
-            .copy_from(&self.constraint_matrix);
+        matrix.view_mut((0, n), (n, m)).copy_from(&-self.constraint_matrix.transpose());
+        matrix.view_mut((n, 0), (m, n)).copy_from(&self.constraint_matrix);
         let mut right = DMatrix::zeros(n + m, 1);
         right.view_mut((0, 0), (n, 1)).copy_from(&self.forces);
-        right
-            .view_mut((n, 0), (m, 1))
-            .copy_from(&-&self.constraint_bias);
+        right.view_mut((n, 0), (m, 1)).copy_from(&-&self.constraint_bias);
         let solution = solve("the matrix of (2.8)", matrix, right)?;
         let column = solution.column(0);
-        Ok((
-            column.rows(0, n).into_owned(),
-            column.rows(n, m).into_owned(),
-        ))
+        Ok((column.rows(0, n).into_owned(), column.rows(n, m).into_owned()))
     }
 
     /// T of (3.2): its columns are those of M⁻¹ Cᵀ, then those of Dᵀ; n × n.
@@ -117,12 +103,8 @@ impl InitialEquations {
         self.check_complement(complement)?;
         let (n, m) = (self.forces.len(), self.constraint_bias.len());
         let mut transformation = DMatrix::zeros(n, n);
-        transformation
-            .view_mut((0, 0), (n, m))
-            .copy_from(&self.compliance()?);
-        transformation
-            .view_mut((0, m), (n, n - m))
-            .copy_from(&complement.transpose());
+        transformation.view_mut((0, 0), (n, m)).copy_from(&self.compliance()?);
+        transformation.view_mut((0, m), (n, n - m)).copy_from(&complement.transpose());
         Ok(transformation)
     }
 
@@ -144,24 +126,15 @@ impl InitialEquations {
     }
 
     /// Tᵀ M = [C; D M] and h_t* = [−c0*; D h*] of the tangent form Tᵀ M v̇ = h_t* (3.5).
-    pub fn tangent_form(
-        &self,
-        complement: &DMatrix<f64>,
-    ) -> Result<(DMatrix<f64>, DVector<f64>), Error> {
+    pub fn tangent_form(&self, complement: &DMatrix<f64>) -> Result<(DMatrix<f64>, DVector<f64>), Error> {
         self.check_complement(complement)?;
         let (n, m) = (self.forces.len(), self.constraint_bias.len());
         let mut matrix = DMatrix::zeros(n, n);
-        matrix
-            .view_mut((0, 0), (m, n))
-            .copy_from(&self.constraint_matrix);
-        matrix
-            .view_mut((m, 0), (n - m, n))
-            .copy_from(&(complement * &self.inertia));
+        matrix.view_mut((0, 0), (m, n)).copy_from(&self.constraint_matrix);
+        matrix.view_mut((m, 0), (n - m, n)).copy_from(&(complement * &self.inertia));
         let mut right = DVector::zeros(n);
         right.rows_mut(0, m).copy_from(&-&self.constraint_bias);
-        right
-            .rows_mut(m, n - m)
-            .copy_from(&(complement * &self.forces));
+        right.rows_mut(m, n - m).copy_from(&(complement * &self.forces));
         Ok((matrix, right))
     }
 
@@ -189,18 +162,12 @@ impl InitialEquations {
         let m = self.constraint_bias.len();
         shape("λ", (m, 1), (multipliers.len(), 1))?;
         let n = self.forces.len();
-        Ok(DMatrix::from_fn(n, m, |j, i| {
-            self.constraint_matrix[(i, j)] * multipliers[i]
-        }))
+        Ok(DMatrix::from_fn(n, m, |j, i| self.constraint_matrix[(i, j)] * multipliers[i]))
     }
 
     /// M⁻¹ Cᵀ.
     fn compliance(&self) -> Result<DMatrix<f64>, Error> {
-        solve(
-            "M",
-            self.inertia.clone(),
-            self.constraint_matrix.transpose(),
-        )
+        solve("M", self.inertia.clone(), self.constraint_matrix.transpose())
     }
 
     fn check_complement(&self, complement: &DMatrix<f64>) -> Result<(), Error> {
@@ -210,15 +177,7 @@ impl InitialEquations {
 }
 
 fn shape(matrix: &'static str, needed: (usize, usize), given: (usize, usize)) -> Result<(), Error> {
-    if needed == given {
-        Ok(())
-    } else {
-        Err(Error::Shape {
-            matrix,
-            needed,
-            given,
-        })
-    }
+    if needed == given { Ok(()) } else { Err(Error::Shape { matrix, needed, given }) }
 }
 
 fn dynamic_vector<T: Scalar, V: Vector<T>>(v: &V) -> DVector<T> {

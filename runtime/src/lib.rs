@@ -35,44 +35,74 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+#[cfg(any(feature = "std", feature = "libm"))]
 extern crate alloc;
+// The models of the tests name this crate as users do.
+#[cfg(test)]
+#[allow(unused_extern_crates)]
+extern crate self as holonomy;
 #[cfg(feature = "std")]
 extern crate std;
 
 #[cfg(not(any(feature = "std", feature = "libm")))]
+// Everything below is left out then, so that only this error shows.
 compile_error!("holonomy needs elementary functions: enable the feature `std` (default) or `libm`");
 
+#[cfg(any(feature = "std", feature = "libm"))]
 mod assemble;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod error;
+#[cfg(any(feature = "std", feature = "libm"))]
 pub mod forms;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod manifold;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod math;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod matrix;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod prepared;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod scalar;
+#[cfg(any(feature = "std", feature = "libm"))]
 pub mod simulate;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod system;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod vector;
 
+#[cfg(any(feature = "std", feature = "libm"))]
 pub use assemble::Assembly;
+#[cfg(any(feature = "std", feature = "libm"))]
 pub use error::Error;
+#[cfg(any(feature = "std", feature = "libm"))]
 pub use matrix::Matrix;
+#[cfg(any(feature = "std", feature = "libm"))]
 pub use prepared::{Prepared, Reactions};
+#[cfg(any(feature = "std", feature = "libm"))]
 pub use scalar::{Dual, Scalar};
+#[cfg(any(feature = "std", feature = "libm"))]
 pub use simulate::{Interrupted, Method, Simulation, Trajectory};
+#[cfg(any(feature = "std", feature = "libm"))]
 pub use system::{
-    ConstrainedSystem, Description, Equation, FunctionCost, GuardInfo, GuardKind, Level,
-    MultiplierInfo, RowInfo, State,
+    ConstrainedSystem, Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo, RowInfo, State,
 };
+#[cfg(any(feature = "std", feature = "libm"))]
 pub use vector::Vector;
 
-#[cfg(feature = "derive")]
+#[cfg(all(feature = "derive", any(feature = "std", feature = "libm")))]
 pub use holonomy_derive::ConstrainedSystem;
 
 #[doc(hidden)]
+#[cfg(any(feature = "std", feature = "libm"))]
 pub mod __private;
 
+#[cfg(test)]
+#[path = "../tests/models/mod.rs"]
+mod models;
+
 /// What a program that runs models needs: `use holonomy::prelude::*;`.
+#[cfg(any(feature = "std", feature = "libm"))]
 pub mod prelude {
     pub use crate::{ConstrainedSystem, Error, Matrix, Method, Prepared, Scalar, Vector};
 }

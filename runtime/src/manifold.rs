@@ -40,9 +40,8 @@ pub(crate) fn term_sizes<M: ConstrainedSystem, R: Vector<Dual>>(
     rows: Rows<'_, M, R>,
 ) -> Result<Vec<f64>, Error> {
     let dual = lift(model)?;
-    let seeded = |at: Option<usize>| {
-        move |i: usize, value: f64| Dual::new(value, if at == Some(i) { value } else { 0.0 })
-    };
+    let seeded =
+        |at: Option<usize>| move |i: usize, value: f64| Dual::new(value, if at == Some(i) { value } else { 0.0 });
     let plain_x: M::Coordinates<Dual> = convert(x, seeded(None));
     let plain_v: M::Velocities<Dual> = convert(v, seeded(None));
     let mut sizes = Vec::new();
@@ -57,20 +56,10 @@ pub(crate) fn term_sizes<M: ConstrainedSystem, R: Vector<Dual>>(
     };
     collect(rows(&dual, Dual::new(t, t), &plain_x, &plain_v));
     for j in 0..length(x) {
-        collect(rows(
-            &dual,
-            Dual::constant(t),
-            &convert(x, seeded(Some(j))),
-            &plain_v,
-        ));
+        collect(rows(&dual, Dual::constant(t), &convert(x, seeded(Some(j))), &plain_v));
     }
     for j in 0..length(v) {
-        collect(rows(
-            &dual,
-            Dual::constant(t),
-            &plain_x,
-            &convert(v, seeded(Some(j))),
-        ));
+        collect(rows(&dual, Dual::constant(t), &plain_x, &convert(v, seeded(Some(j)))));
     }
     for j in 0..length(model.parameters()) {
         let parameters = convert(model.parameters(), seeded(Some(j)));
@@ -102,9 +91,7 @@ pub(crate) struct Manifold<M: ConstrainedSystem> {
 impl<M: ConstrainedSystem> Manifold<M> {
     pub(crate) fn new(model: &Prepared<M>, t: f64, s: &M::State<f64>) -> Result<Self, Error> {
         let (x, v) = (model.coordinates(t, s), model.velocities(t, s));
-        let sizes = term_sizes(model, t, &x, &v, &|model, t, x, _| {
-            model.position_residual(t, x)
-        })?;
+        let sizes = term_sizes(model, t, &x, &v, &|model, t, x, _| model.position_residual(t, x))?;
         let (rows, columns) = (sizes.len(), M::MODEL.state_coordinates.len());
         Ok(Manifold {
             dual: lift(model)?,
@@ -119,24 +106,15 @@ impl<M: ConstrainedSystem> Manifold<M> {
     /// Fills the Jacobian at a state, one dual evaluation a column, and lets the sizes of the terms grow.
     pub(crate) fn differentiate(&mut self, t: f64, s: &M::State<f64>) {
         for j in 0..self.columns {
-            let seeded = convert(s, |i, value| {
-                Dual::new(value, if i == j { 1.0 } else { 0.0 })
-            });
-            let f = self
-                .dual
-                .position_residual_at(Dual::constant(t), &seeded)
-                .into();
+            let seeded = convert(s, |i, value| Dual::new(value, if i == j { 1.0 } else { 0.0 }));
+            let f = self.dual.position_residual_at(Dual::constant(t), &seeded).into();
             for (i, entry) in f.as_ref().iter().enumerate() {
                 self.jacobian[i * self.columns + j] = entry.derivative;
             }
         }
         let array: <M::State<f64> as Vector<f64>>::Array = (*s).into();
         let q = array.as_ref();
-        for (size, row) in self
-            .sizes
-            .iter_mut()
-            .zip(self.jacobian.chunks(self.columns.max(1)))
-        {
+        for (size, row) in self.sizes.iter_mut().zip(self.jacobian.chunks(self.columns.max(1))) {
             let sum: f64 = row.iter().zip(q).map(|(slope, q)| (slope * q).abs()).sum();
             if sum > *size && sum.is_finite() {
                 *size = sum;
@@ -161,12 +139,7 @@ impl<M: ConstrainedSystem> Manifold<M> {
     }
 
     /// Brings the coordinates of the state back onto f = 0 by Newton steps of least norm, and tells whether it moved them.
-    pub(crate) fn restore(
-        &mut self,
-        model: &Prepared<M>,
-        t: f64,
-        s: &mut M::State<f64>,
-    ) -> Result<bool, Error> {
+    pub(crate) fn restore(&mut self, model: &Prepared<M>, t: f64, s: &mut M::State<f64>) -> Result<bool, Error> {
         let mut last = f64::INFINITY;
         let mut moved = false;
         for _ in 0..ITERATIONS {
@@ -189,11 +162,7 @@ impl<M: ConstrainedSystem> Manifold<M> {
             return Ok(moved);
         }
         Err(Error::Projection {
-            constraint: M::MODEL
-                .position_rows
-                .get(row)
-                .copied()
-                .unwrap_or("position"),
+            constraint: M::MODEL.position_rows.get(row).copied().unwrap_or("position"),
             residual: f.as_ref().get(row).copied().unwrap_or(f64::NAN),
             time: t,
         })
@@ -202,32 +171,23 @@ impl<M: ConstrainedSystem> Manifold<M> {
     /// One step of least norm: δ = −Jᵀ (J Jᵀ)⁻¹ f. Dependent rows are left out; where they agree they are met all the same.
     fn step(&mut self, f: &[f64], s: &mut M::State<f64>) {
         let (m, n) = (f.len(), self.columns);
-        for i in 0..m {
+        for (i, residual) in f.iter().enumerate() {
             let row = &mut self.jacobian[i * n..(i + 1) * n];
             let norm = sqrt(row.iter().map(|slope| slope * slope).sum());
-            let scale = if norm > 0.0 && norm.is_finite() {
-                1.0 / norm
-            } else {
-                0.0
-            };
+            let scale = if norm > 0.0 && norm.is_finite() { 1.0 / norm } else { 0.0 };
             row.iter_mut().for_each(|slope| *slope *= scale);
-            self.weights[i] = -f[i] * scale;
+            self.weights[i] = -residual * scale;
         }
         for i in 0..m {
             for j in 0..=i {
-                let (a, b) = (
-                    &self.jacobian[i * n..(i + 1) * n],
-                    &self.jacobian[j * n..(j + 1) * n],
-                );
+                let (a, b) = (&self.jacobian[i * n..(i + 1) * n], &self.jacobian[j * n..(j + 1) * n]);
                 self.gram[i * m + j] = a.iter().zip(b).map(|(a, b)| a * b).sum();
             }
         }
         solve_gram(&mut self.gram, &mut self.weights, m);
         let mut array: <M::State<f64> as Vector<f64>>::Array = (*s).into();
         for (j, q) in array.as_mut().iter_mut().take(n).enumerate() {
-            let delta: f64 = (0..m)
-                .map(|i| self.jacobian[i * n + j] * self.weights[i])
-                .sum();
+            let delta: f64 = (0..m).map(|i| self.jacobian[i * n + j] * self.weights[i]).sum();
             *q += delta;
         }
         *s = array.into();
@@ -243,11 +203,7 @@ fn solve_gram(g: &mut [f64], b: &mut [f64], m: usize) {
         for k in 0..j {
             pivot -= g[j * m + k] * g[j * m + k];
         }
-        let inverse = if pivot > DEPENDENT {
-            1.0 / sqrt(pivot)
-        } else {
-            0.0
-        };
+        let inverse = if pivot > DEPENDENT { 1.0 / sqrt(pivot) } else { 0.0 };
         for i in j + 1..m {
             let mut entry = g[i * m + j];
             for k in 0..j {
@@ -266,3 +222,6 @@ fn solve_gram(g: &mut [f64], b: &mut [f64], m: usize) {
         b[i] = (b[i] - sum) * g[i * m + i];
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -68,11 +68,7 @@ impl<M: ConstrainedSystem, T: Scalar> Prepared<M, T> {
     /// ```
     pub fn with_parameters(system: M, parameters: M::Parameters<T>) -> Result<Self, Error> {
         let values = system.values(&parameters)?;
-        Ok(Prepared {
-            system,
-            parameters,
-            values,
-        })
+        Ok(Prepared { system, parameters, values })
     }
 
     /// The struct that was prepared.
@@ -92,12 +88,7 @@ impl<M: ConstrainedSystem, T: Scalar> Prepared<M, T> {
 
     /// The state's rate (ẋ or q̇, then u̇), and the guards (their names: [`Description::guards`](crate::Description::guards)).
     #[inline]
-    pub fn derivative(
-        &self,
-        t: T,
-        s: &M::State<T>,
-        i: &M::Inputs<T>,
-    ) -> (M::State<T>, M::Guards<T>) {
+    pub fn derivative(&self, t: T, s: &M::State<T>, i: &M::Inputs<T>) -> (M::State<T>, M::Guards<T>) {
         M::derivative(&self.values, t, s, i)
     }
 
@@ -121,12 +112,7 @@ impl<M: ConstrainedSystem, T: Scalar> Prepared<M, T> {
 
     /// M_d and h_u* together.
     #[inline]
-    pub fn mass_matrix_and_forcing(
-        &self,
-        t: T,
-        s: &M::State<T>,
-        i: &M::Inputs<T>,
-    ) -> (M::MassMatrix<T>, M::Speeds<T>) {
+    pub fn mass_matrix_and_forcing(&self, t: T, s: &M::State<T>, i: &M::Inputs<T>) -> (M::MassMatrix<T>, M::Speeds<T>) {
         M::mass_matrix_and_forcing(&self.values, t, s, i)
     }
 
@@ -175,9 +161,7 @@ impl<M: ConstrainedSystem, T: Scalar> Prepared<M, T> {
                 .as_ref()
                 .iter()
                 .enumerate()
-                .fold(bias, |sum, (row, &rate)| {
-                    sum + complement.entry(row, column) * rate
-                })
+                .fold(bias, |sum, (row, &rate)| sum + complement.entry(row, column) * rate)
         })
     }
 

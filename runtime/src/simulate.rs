@@ -1,11 +1,14 @@
 //! Simulation: integrating the minimal equations, watching the guards, staying on the constraints.
 
 mod control;
+mod course;
 mod dop853;
 mod guards;
 mod inputs;
 mod kernel;
 mod tableau;
+#[cfg(test)]
+mod tests;
 mod trajectory;
 
 use alloc::boxed::Box;
@@ -15,8 +18,9 @@ use crate::assemble::check_finite;
 use crate::manifold::{Manifold, term_sizes};
 use crate::{ConstrainedSystem, Error, Prepared};
 use control::Tolerance;
+use course::Course;
 use guards::Watch;
-use kernel::{Course, Pace, Plan};
+use kernel::{Pace, Plan};
 
 pub use guards::SINGULAR;
 pub use inputs::{InputSource, NoInputs};
@@ -25,7 +29,23 @@ pub use trajectory::{Interrupted, Statistics, Trajectory};
 /// The residual that a start may have in f and φ, as a fraction of the terms of the constraint.
 pub const START_TOLERANCE: f64 = 1e-9;
 
+/// Outputs closer than this fraction of the run would not fit into memory.
+const SPACING: f64 = 1e-12;
+
 /// How the equations are integrated. All methods are explicit Runge-Kutta methods.
+///
+/// ```
+/// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+/// # use models::{Pendulum, PendulumState};
+/// use holonomy::prelude::*;
+///
+/// let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
+/// let start = PendulumState { x: 0.3, y: -0.4, dot_x: 0.0 };
+/// let run = |method| pendulum.simulate(start).method(method).tolerance(1e-10, 1e-10).until(1.0);
+/// let (fifth, eighth) = (run(Method::DormandPrince)?, run(Method::Dop853)?);
+/// assert!(fifth.statistics().evaluations > eighth.statistics().evaluations);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Method {
@@ -43,6 +63,28 @@ pub enum Method {
 /// A run in the making; from [`Prepared::simulate`].
 ///
 /// By default it starts at t = 0, uses [`Method::Dop853`] with a relative and absolute tolerance of 1e-9, and keeps every step.
+///
+/// ```
+/// # mod models {
+/// #     include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs"));
+/// #     include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/oscillator.rs"));
+/// # }
+/// # use models::{Oscillator, OscillatorInputs, OscillatorState};
+/// use holonomy::prelude::*;
+///
+/// // A controlled mass: the input is a function of the time and the state.
+/// let mass = Oscillator { m: 2.0, a: 0.0, k: 0.0, c: 0.0, b: 0.0 }.prepare()?;
+/// let run = mass
+///     .simulate(OscillatorState { x: 1.0, dot_x: 0.0 })
+///     .inputs(|_, s| OscillatorInputs { tau: -8.0 * s.x - 8.0 * s.dot_x })
+///     .tolerance(1e-10, 1e-12)
+///     .every(0.5)
+///     .progress(|fraction| println!("{:3.0} %", 100.0 * fraction))
+///     .until(2.0)?;
+/// let exact = |t: f64| (1.0 + 2.0 * t) * (-2.0 * t).exp();
+/// assert!(run.iter().all(|(t, s)| (s.x - exact(t)).abs() < 1e-8));
+/// # Ok::<(), Error>(())
+/// ```
 pub struct Simulation<'a, M: ConstrainedSystem, I = NoInputs> {
     model: &'a Prepared<M>,
     start: M::State<f64>,
@@ -83,10 +125,7 @@ impl<M: ConstrainedSystem> Prepared<M> {
             start,
             from: 0.0,
             method: Method::Dop853,
-            tolerance: Tolerance {
-                relative: 1e-9,
-                absolute: 1e-9,
-            },
+            tolerance: Tolerance { relative: 1e-9, absolute: 1e-9 },
             longest: f64::INFINITY,
             every: None,
             dense: true,
@@ -203,27 +242,25 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
             return Err(Error::NonFinite { name: "end" });
         }
         positive("longest step", self.longest)?;
-        positive("spacing of the output", self.every.unwrap_or(1.0))?;
+        if let Some(every) = self.every {
+            positive("spacing of the output", every)?;
+            if every < SPACING * (end - from).abs() {
+                return Err(Error::StepTooSmall { step: every, time: from });
+            }
+        }
         let pace = match self.method {
             Method::Rk4 { step } => {
                 positive("step", step)?;
-                Pace::Fixed {
-                    step: step.min((end - from).abs()),
-                }
+                Pace::Fixed { step: step.min((end - from).abs()) }
             }
             Method::DormandPrince | Method::Dop853 => {
                 positive("relative tolerance", self.tolerance.relative)?;
                 positive("absolute tolerance", self.tolerance.absolute)?;
-                Pace::Adaptive {
-                    tolerance: self.tolerance,
-                    longest: self.longest,
-                }
+                Pace::Adaptive { tolerance: self.tolerance, longest: self.longest }
             }
         };
         if !I::GIVEN && !M::MODEL.inputs.is_empty() {
-            return Err(Error::MissingInputs {
-                inputs: M::MODEL.inputs,
-            });
+            return Err(Error::MissingInputs { inputs: M::MODEL.inputs });
         }
         let inputs = self.source.inputs(from, &start).into();
         if let Some(at) = inputs.as_ref().iter().position(|input| !input.is_finite()) {
@@ -234,21 +271,8 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
         let manifold = check_position(model, from, &start)?;
         let watch = Watch::new(model, from, &start)?;
         check_velocity(model, from, &start)?;
-        let plan = Plan {
-            start: from,
-            end,
-            pace,
-            every: self.every,
-            dense: self.dense,
-            max_steps: self.max_steps,
-        };
-        let course = Course {
-            model,
-            source: self.source,
-            watch,
-            manifold,
-            progress: self.progress,
-        };
+        let plan = Plan { start: from, end, pace, every: self.every, dense: self.dense, max_steps: self.max_steps };
+        let course = Course { model, source: self.source, watch, manifold, progress: self.progress, evaluations: 0 };
         Ok((plan, course))
     }
 }
@@ -262,15 +286,8 @@ fn check_position<M: ConstrainedSystem>(
     let manifold = Manifold::new(model, t, s)?;
     let f = model.position_residual_at(t, s).into();
     if let Some((row, residual)) = unmet(f.as_ref(), &manifold.sizes) {
-        let constraint = M::MODEL
-            .position_rows
-            .get(row)
-            .copied()
-            .unwrap_or("position");
-        return Err(Error::Unmet {
-            constraint,
-            residual,
-        });
+        let constraint = M::MODEL.position_rows.get(row).copied().unwrap_or("position");
+        return Err(Error::Unmet { constraint, residual });
     }
     // With independent coordinates, f is identically zero.
     let dependent = M::MODEL.state_coordinates == M::MODEL.coordinates;
@@ -278,40 +295,28 @@ fn check_position<M: ConstrainedSystem>(
 }
 
 /// φ at the start.
-fn check_velocity<M: ConstrainedSystem>(
-    model: &Prepared<M>,
-    t: f64,
-    s: &M::State<f64>,
-) -> Result<(), Error> {
+fn check_velocity<M: ConstrainedSystem>(model: &Prepared<M>, t: f64, s: &M::State<f64>) -> Result<(), Error> {
     let (x, v) = (model.coordinates(t, s), model.velocities(t, s));
     let phi = model.velocity_residual(t, &x, &v).into();
-    let sizes = term_sizes(model, t, &x, &v, &|model, t, x, v| {
-        model.velocity_residual(t, x, v)
-    })?;
+    let sizes = term_sizes(model, t, &x, &v, &|model, t, x, v| model.velocity_residual(t, x, v))?;
     match unmet(phi.as_ref(), &sizes) {
-        Some((row, residual)) => Err(Error::Unmet {
-            constraint: M::MODEL.rows.get(row).map_or("velocity", |row| row.name),
-            residual,
-        }),
+        Some((row, residual)) => {
+            Err(Error::Unmet { constraint: M::MODEL.rows.get(row).map_or("velocity", |row| row.name), residual })
+        }
         None => Ok(()),
     }
 }
 
 /// The first row whose residual is too large for a start.
 fn unmet(residuals: &[f64], sizes: &[f64]) -> Option<(usize, f64)> {
-    // Also true where the residual is not a number.
-    let missed = |(residual, size): (&f64, &f64)| !(residual.abs() <= START_TOLERANCE * size);
+    let missed = |(residual, size): (&f64, &f64)| residual.is_nan() || residual.abs() > START_TOLERANCE * size;
     let row = residuals.iter().zip(sizes).position(missed)?;
     Some((row, residuals[row]))
 }
 
 fn positive(name: &'static str, value: f64) -> Result<(), Error> {
     // Also false where the value is not a number.
-    if value > 0.0 {
-        Ok(())
-    } else {
-        Err(Error::NotPositive { name, value })
-    }
+    if value > 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
 }
 
 impl<M: ConstrainedSystem, I> fmt::Debug for Simulation<'_, M, I> {

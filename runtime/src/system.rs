@@ -6,9 +6,7 @@ use core::fmt::Debug;
 
 use crate::{Error, Matrix, Prepared, Scalar, Vector};
 
-pub use description::{
-    Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo, RowInfo,
-};
+pub use description::{Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo, RowInfo};
 
 /// The state of a model: `State::<RollingDisk> { theta: 0.3, .. }`.
 pub type State<M, T = f64> = <M as ConstrainedSystem>::State<T>;
@@ -81,24 +79,13 @@ pub trait ConstrainedSystem: Sized + Clone {
     ) -> (Self::State<T>, Self::Guards<T>);
 
     /// u̇, the solution of M_d u̇ = h_u*.
-    fn accelerations<T: Scalar>(
-        p: &Self::Values<T>,
-        t: T,
-        s: &Self::State<T>,
-        i: &Self::Inputs<T>,
-    ) -> Self::Speeds<T>;
+    fn accelerations<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>, i: &Self::Inputs<T>) -> Self::Speeds<T>;
 
     /// M_d = D M Dᵀ, k × k.
-    fn mass_matrix<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>)
-    -> Self::MassMatrix<T>;
+    fn mass_matrix<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>) -> Self::MassMatrix<T>;
 
     /// h_u* = D (h* − M a_u).
-    fn forcing<T: Scalar>(
-        p: &Self::Values<T>,
-        t: T,
-        s: &Self::State<T>,
-        i: &Self::Inputs<T>,
-    ) -> Self::Speeds<T>;
+    fn forcing<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>, i: &Self::Inputs<T>) -> Self::Speeds<T>;
 
     /// M_d and h_u* together; the work that they share is done once.
     fn mass_matrix_and_forcing<T: Scalar>(
@@ -109,11 +96,7 @@ pub trait ConstrainedSystem: Sized + Clone {
     ) -> (Self::MassMatrix<T>, Self::Speeds<T>);
 
     /// x of the state (4.2).
-    fn coordinates<T: Scalar>(
-        p: &Self::Values<T>,
-        t: T,
-        s: &Self::State<T>,
-    ) -> Self::Coordinates<T>;
+    fn coordinates<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>) -> Self::Coordinates<T>;
 
     /// v of the state (4.4), (5.3).
     fn velocities<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>) -> Self::Velocities<T>;
@@ -122,11 +105,7 @@ pub trait ConstrainedSystem: Sized + Clone {
     fn complement<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>) -> Self::Complement<T>;
 
     /// a_u, the part of v̇ that does not depend on u̇.
-    fn complement_bias<T: Scalar>(
-        p: &Self::Values<T>,
-        t: T,
-        s: &Self::State<T>,
-    ) -> Self::Velocities<T>;
+    fn complement_bias<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>) -> Self::Velocities<T>;
 
     /// λ (3.6), all constraints acting.
     fn multipliers<T: Scalar>(
@@ -140,25 +119,13 @@ pub trait ConstrainedSystem: Sized + Clone {
     fn guards<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>) -> Self::Guards<T>;
 
     /// A of ẋ = A v + a0 (2.1), n × n.
-    fn kinematic_matrix<T: Scalar>(
-        p: &Self::Values<T>,
-        t: T,
-        x: &Self::Coordinates<T>,
-    ) -> Self::SystemMatrix<T>;
+    fn kinematic_matrix<T: Scalar>(p: &Self::Values<T>, t: T, x: &Self::Coordinates<T>) -> Self::SystemMatrix<T>;
 
     /// a0 of (2.1).
-    fn kinematic_bias<T: Scalar>(
-        p: &Self::Values<T>,
-        t: T,
-        x: &Self::Coordinates<T>,
-    ) -> Self::Coordinates<T>;
+    fn kinematic_bias<T: Scalar>(p: &Self::Values<T>, t: T, x: &Self::Coordinates<T>) -> Self::Coordinates<T>;
 
     /// M of (2.3), n × n.
-    fn inertia<T: Scalar>(
-        p: &Self::Values<T>,
-        t: T,
-        x: &Self::Coordinates<T>,
-    ) -> Self::SystemMatrix<T>;
+    fn inertia<T: Scalar>(p: &Self::Values<T>, t: T, x: &Self::Coordinates<T>) -> Self::SystemMatrix<T>;
 
     /// h* of (2.3).
     fn forces<T: Scalar>(
@@ -186,11 +153,7 @@ pub trait ConstrainedSystem: Sized + Clone {
     ) -> Self::Rows<T>;
 
     /// f of every position row.
-    fn position_residual<T: Scalar>(
-        p: &Self::Values<T>,
-        t: T,
-        x: &Self::Coordinates<T>,
-    ) -> Self::PositionRows<T>;
+    fn position_residual<T: Scalar>(p: &Self::Values<T>, t: T, x: &Self::Coordinates<T>) -> Self::PositionRows<T>;
 
     /// φ, or ḟ of a position row, for every row of C.
     fn velocity_residual<T: Scalar>(
@@ -201,19 +164,10 @@ pub trait ConstrainedSystem: Sized + Clone {
     ) -> Self::Rows<T>;
 
     /// ½ vᵀ M v.
-    fn kinetic_energy<T: Scalar>(
-        p: &Self::Values<T>,
-        t: T,
-        x: &Self::Coordinates<T>,
-        v: &Self::Velocities<T>,
-    ) -> T;
+    fn kinetic_energy<T: Scalar>(p: &Self::Values<T>, t: T, x: &Self::Coordinates<T>, v: &Self::Velocities<T>) -> T;
 
     /// The potential energy, where the model declares one.
-    fn potential_energy<T: Scalar>(
-        p: &Self::Values<T>,
-        t: T,
-        x: &Self::Coordinates<T>,
-    ) -> Option<T>;
+    fn potential_energy<T: Scalar>(p: &Self::Values<T>, t: T, x: &Self::Coordinates<T>) -> Option<T>;
 
     /// Checks the parameters and gives the model that runs.
     ///

@@ -13,9 +13,7 @@ use crate::Scalar;
 /// assert_eq!(squares, [0.0, 1.0, 4.0]);
 /// assert_eq!(squares.get("x"), None); // arrays have no names
 /// ```
-pub trait Vector<T: Scalar>:
-    Copy + Debug + PartialEq + From<Self::Array> + Into<Self::Array>
-{
+pub trait Vector<T: Scalar>: Copy + Debug + PartialEq + From<Self::Array> + Into<Self::Array> {
     /// `[T; N]`.
     type Array: AsRef<[T]> + AsMut<[T]> + Copy;
     /// The names of the entries in their order; empty for plain arrays.
@@ -44,10 +42,7 @@ impl<T: Scalar, const N: usize> Vector<T> for [T; N] {
 
 /// The same vector over another scalar.
 #[inline]
-pub(crate) fn convert<T: Scalar, U: Scalar, V: Vector<T>, W: Vector<U>>(
-    v: &V,
-    f: impl Fn(usize, T) -> U,
-) -> W {
+pub(crate) fn convert<T: Scalar, U: Scalar, V: Vector<T>, W: Vector<U>>(v: &V, f: impl Fn(usize, T) -> U) -> W {
     let array: V::Array = (*v).into();
     let entries = array.as_ref();
     W::from_fn(|i| f(i, entries[i]))

@@ -1,11 +1,17 @@
 //! The engine behind `holonomy-derive`: from the declarations of a mechanism to straight-line Rust.
 //!
 //! Data flows one way; each folder is a step and knows only the ones before it:
-//! [`syntax`] → [`model`] → [`projection`] → [`simplify`] → program → emit, with [`symbolic`] under all.
-//! The interface of this crate may change with every release; depend on `holonomy` instead.
+//! [`syntax`] → [`model`] → [`projection`] → [`simplify`] → [`program`] → [`emit`], with [`symbolic`] under all and
+//! [`pipeline`] to run them. The interface of this crate may change with every release; depend on `holonomy` instead.
 
+pub mod emit;
 pub mod model;
+pub mod pipeline;
+pub mod program;
 pub mod projection;
 pub mod simplify;
 pub mod symbolic;
 pub mod syntax;
+mod target;
+
+pub use pipeline::{Analysis, analyse, expand, expand_observed};

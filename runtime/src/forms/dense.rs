@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use crate::Error;
-use crate::math::double::{pow, sqrt};
+use crate::math::double::pow;
 
 /// Pivots below this many units of rounding, times the size of the matrix, count as zero.
 const SINGULAR: f64 = 16.0 * f64::EPSILON;
@@ -19,12 +19,11 @@ pub(super) fn solve(
     mut right: DMatrix<f64>,
 ) -> Result<DMatrix<f64>, Error> {
     let n = matrix.nrows();
+    if n == 0 {
+        return Ok(right);
+    }
     let columns = equilibrate(&mut matrix, &mut right);
-    if matrix
-        .iter()
-        .chain(right.iter())
-        .any(|entry| !entry.is_finite())
-    {
+    if matrix.iter().chain(right.iter()).any(|entry| !entry.is_finite()) {
         return Err(Error::NonFinite { name });
     }
     let lu = matrix.full_piv_lu();
@@ -34,21 +33,11 @@ pub(super) fn solve(
         smallest = smallest.min(pivot.abs());
         largest = largest.max(pivot.abs());
     }
-    if n > 0 && smallest <= SINGULAR * n as f64 * largest {
-        let pivot = if largest > 0.0 {
-            smallest / largest
-        } else {
-            0.0
-        };
-        return Err(Error::SingularMatrix {
-            matrix: name,
-            pivot,
-        });
+    if smallest <= SINGULAR * n as f64 * largest {
+        let pivot = if largest > 0.0 { smallest / largest } else { 0.0 };
+        return Err(Error::SingularMatrix { matrix: name, pivot });
     }
-    let singular = Error::SingularMatrix {
-        matrix: name,
-        pivot: 0.0,
-    };
+    let singular = Error::SingularMatrix { matrix: name, pivot: 0.0 };
     let mut solution = lu.solve(&right).ok_or(singular)?;
     for (i, scale) in columns.iter().enumerate() {
         solution.row_mut(i).scale_mut(*scale);
@@ -62,27 +51,24 @@ fn equilibrate(matrix: &mut DMatrix<f64>, right: &mut DMatrix<f64>) -> alloc::ve
     let mut columns = alloc::vec![1.0; n];
     for _ in 0..ROUNDS {
         let rows: alloc::vec::Vec<f64> = (0..n).map(|i| factor(matrix.row(i).amax())).collect();
-        let scales: alloc::vec::Vec<f64> =
-            (0..n).map(|j| factor(matrix.column(j).amax())).collect();
-        for i in 0..n {
-            matrix.row_mut(i).scale_mut(rows[i]);
-            right.row_mut(i).scale_mut(rows[i]);
+        let scales: alloc::vec::Vec<f64> = (0..n).map(|j| factor(matrix.column(j).amax())).collect();
+        for (i, scale) in rows.iter().enumerate() {
+            matrix.row_mut(i).scale_mut(*scale);
+            right.row_mut(i).scale_mut(*scale);
         }
-        for j in 0..n {
-            matrix.column_mut(j).scale_mut(scales[j]);
-            columns[j] *= scales[j];
+        for (j, scale) in scales.iter().enumerate() {
+            matrix.column_mut(j).scale_mut(*scale);
+            columns[j] *= scale;
         }
     }
     columns
 }
 
-/// The power of two nearest to 1/√largest.
+/// A power of two near 1/√largest.
 fn factor(largest: f64) -> f64 {
     if largest > 0.0 && largest.is_finite() {
         let exponent = ((largest.to_bits() >> 52) & 0x7ff) as i32 - 1023;
-        let scale = pow(2.0, f64::from(-exponent / 2));
-        debug_assert!(sqrt(largest) * scale < 4.0 || exponent < -1000);
-        scale
+        pow(2.0, f64::from(-exponent / 2))
     } else {
         1.0
     }

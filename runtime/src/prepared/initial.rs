@@ -24,24 +24,13 @@ impl<M: ConstrainedSystem, T: Scalar> Prepared<M, T> {
 
     /// h* of (2.3).
     #[inline]
-    pub fn forces(
-        &self,
-        t: T,
-        x: &M::Coordinates<T>,
-        v: &M::Velocities<T>,
-        i: &M::Inputs<T>,
-    ) -> M::Velocities<T> {
+    pub fn forces(&self, t: T, x: &M::Coordinates<T>, v: &M::Velocities<T>, i: &M::Inputs<T>) -> M::Velocities<T> {
         M::forces(self.values(), t, x, v, i)
     }
 
     /// C of C v̇ + c0* = 0 (2.4), m × n.
     #[inline]
-    pub fn constraint_matrix(
-        &self,
-        t: T,
-        x: &M::Coordinates<T>,
-        v: &M::Velocities<T>,
-    ) -> M::ConstraintMatrix<T> {
+    pub fn constraint_matrix(&self, t: T, x: &M::Coordinates<T>, v: &M::Velocities<T>) -> M::ConstraintMatrix<T> {
         M::constraint_matrix(self.values(), t, x, v)
     }
 
@@ -59,12 +48,7 @@ impl<M: ConstrainedSystem, T: Scalar> Prepared<M, T> {
 
     /// φ, or ḟ of a position row, for every row of C.
     #[inline]
-    pub fn velocity_residual(
-        &self,
-        t: T,
-        x: &M::Coordinates<T>,
-        v: &M::Velocities<T>,
-    ) -> M::Rows<T> {
+    pub fn velocity_residual(&self, t: T, x: &M::Coordinates<T>, v: &M::Velocities<T>) -> M::Rows<T> {
         M::velocity_residual(self.values(), t, x, v)
     }
 

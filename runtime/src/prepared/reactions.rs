@@ -14,28 +14,18 @@ pub struct Reactions<M: ConstrainedSystem, T: Scalar = f64> {
 
 impl<M: ConstrainedSystem, T: Scalar> Reactions<M, T> {
     pub(super) fn new(matrix: M::ConstraintMatrix<T>, multipliers: M::Multipliers<T>) -> Self {
-        Reactions {
-            matrix,
-            multipliers,
-        }
+        Reactions { matrix, multipliers }
     }
 
     /// The reaction of one constraint, r_i* = C_iᵀ λ_i (3.7); `None` if no row of C carries that name.
     pub fn get(&self, name: &str) -> Option<M::Velocities<T>> {
-        let at = M::MODEL
-            .multipliers
-            .iter()
-            .position(|entry| entry.name == name)?;
+        let at = M::MODEL.multipliers.iter().position(|entry| entry.name == name)?;
         self.reaction(at)
     }
 
     /// All constraints that a row of C carries, with their reactions. Names that were merged into one row share its reaction.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, M::Velocities<T>)> + '_ {
-        M::MODEL
-            .multipliers
-            .iter()
-            .enumerate()
-            .filter_map(|(at, entry)| Some((entry.name, self.reaction(at)?)))
+        M::MODEL.multipliers.iter().enumerate().filter_map(|(at, entry)| Some((entry.name, self.reaction(at)?)))
     }
 
     /// The sum over the rows: Cᵀ λ.
@@ -43,10 +33,7 @@ impl<M: ConstrainedSystem, T: Scalar> Reactions<M, T> {
         let rows = <M::ConstraintMatrix<T> as Matrix<T>>::ROWS;
         M::Velocities::from_fn(|column| {
             (0..rows).fold(T::default(), |sum, row| {
-                let carrier = M::MODEL
-                    .multipliers
-                    .iter()
-                    .position(|entry| entry.row == Some(row));
+                let carrier = M::MODEL.multipliers.iter().position(|entry| entry.row == Some(row));
                 match carrier.and_then(|at| self.multiplier(at)) {
                     Some(multiplier) => sum + self.matrix.entry(row, column) * multiplier,
                     None => sum,
@@ -58,9 +45,7 @@ impl<M: ConstrainedSystem, T: Scalar> Reactions<M, T> {
     fn reaction(&self, at: usize) -> Option<M::Velocities<T>> {
         let row = M::MODEL.multipliers[at].row?;
         let multiplier = self.multiplier(at)?;
-        Some(M::Velocities::from_fn(|column| {
-            self.matrix.entry(row, column) * multiplier
-        }))
+        Some(M::Velocities::from_fn(|column| self.matrix.entry(row, column) * multiplier))
     }
 
     fn multiplier(&self, at: usize) -> Option<T> {

@@ -74,10 +74,7 @@ impl<T: Scalar> Mul for Dual<T> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        Dual::new(
-            self.value * other.value,
-            self.derivative * other.value + self.value * other.derivative,
-        )
+        Dual::new(self.value * other.value, self.derivative * other.value + self.value * other.derivative)
     }
 }
 
@@ -86,10 +83,7 @@ impl<T: Scalar> Div for Dual<T> {
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
-        Dual::new(
-            quotient,
-            (self.derivative - quotient * other.derivative) / other.value,
-        )
+        Dual::new(quotient, (self.derivative - quotient * other.derivative) / other.value)
     }
 }
 
@@ -114,19 +108,13 @@ impl<T: Scalar> Scalar for Dual<T> {
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.value.sin_cos();
-        (
-            Dual::new(sin, cos * self.derivative),
-            Dual::new(cos, -(sin * self.derivative)),
-        )
+        (Dual::new(sin, cos * self.derivative), Dual::new(cos, -(sin * self.derivative)))
     }
 
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
         let square = self.value * self.value + x.value * x.value;
-        Dual::new(
-            self.value.atan2(x.value),
-            (x.value * self.derivative - self.value * x.derivative) / square,
-        )
+        Dual::new(self.value.atan2(x.value), (x.value * self.derivative - self.value * x.derivative) / square)
     }
 
     #[inline(always)]

@@ -21,12 +21,7 @@ impl Tolerance {
 
     /// The root of the mean square of `y` in units of what is tolerated at `at`.
     pub(super) fn norm(&self, y: &[f64], at: &[f64]) -> f64 {
-        let sum: f64 = y
-            .iter()
-            .zip(at)
-            .map(|(y, at)| y / self.scale(*at, *at))
-            .map(|ratio| ratio * ratio)
-            .sum();
+        let sum: f64 = y.iter().zip(at).map(|(y, at)| y / self.scale(*at, *at)).map(|ratio| ratio * ratio).sum();
         sqrt(sum / y.len().max(1) as f64)
     }
 
@@ -62,11 +57,7 @@ impl Tolerance {
             Estimate::Two(fifth, third) => {
                 let (fifth, third) = (sum(fifth), sum(third));
                 let both = fifth + 0.01 * third;
-                if both > 0.0 {
-                    h.abs() * fifth / sqrt(count * both)
-                } else {
-                    both
-                }
+                if both > 0.0 { h.abs() * fifth / sqrt(count * both) } else { both }
             }
         }
     }
@@ -104,10 +95,6 @@ impl Controller {
     /// The factor for repeating a step that is rejected with this error.
     pub(super) fn reject(&mut self, error: f64) -> f64 {
         self.rejected = true;
-        if error.is_finite() {
-            (SAFETY / pow(error, self.exponent)).clamp(self.factors.0, 1.0)
-        } else {
-            0.1
-        }
+        if error.is_finite() { (SAFETY / pow(error, self.exponent)).clamp(self.factors.0, 1.0) } else { 0.1 }
     }
 }

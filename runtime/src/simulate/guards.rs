@@ -29,7 +29,7 @@ impl<M: ConstrainedSystem> Watch<M> {
     /// Starts watching, and judges the start.
     ///
     /// A guard alone does not tell whether it is small. At the start it is compared with how much it changes over the state's
-    /// coordinates, so that cos θ at θ = π/2 counts as zero although rounding leaves 6e-17.
+    /// coordinates and the time, so that cos θ at θ = π/2 counts as zero although rounding leaves 6e-17.
     pub(super) fn new(model: &Prepared<M>, t: f64, s: &M::State<f64>) -> Result<Self, Error> {
         let array = model.guards(t, s).into();
         let guards: &[f64] = array.as_ref();
@@ -38,14 +38,13 @@ impl<M: ConstrainedSystem> Watch<M> {
         let state: <M::State<f64> as Vector<f64>>::Array = (*s).into();
         let columns = M::MODEL.state_coordinates.len();
         let coordinates = &state.as_ref()[..columns.min(state.as_ref().len())];
-        let reach = coordinates
-            .iter()
-            .fold(0.0, |reach: f64, q| reach.max(q.abs()));
-        let mut sums = alloc::vec![0.0; guards.len()];
+        let reach = coordinates.iter().fold(0.0, |reach: f64, q| reach.max(q.abs()));
+        let in_time = dual.guards(Dual::variable(t), &convert(s, |_, value| Dual::constant(value)));
+        let in_time = in_time.into();
+        let change = in_time.as_ref().iter().map(|guard| (guard.derivative * t).abs());
+        let mut sums = change.collect::<Vec<f64>>();
         for (j, q) in coordinates.iter().enumerate() {
-            let seeded = convert(s, |i, value| {
-                Dual::new(value, if i == j { 1.0 } else { 0.0 })
-            });
+            let seeded = convert(s, |i, value| Dual::new(value, if i == j { 1.0 } else { 0.0 }));
             let array = dual.guards(Dual::constant(t), &seeded).into();
             for (sum, guard) in sums.iter_mut().zip(array.as_ref()) {
                 *sum += guard.derivative.abs() * q.abs().max(OTHERS * reach);
@@ -57,11 +56,7 @@ impl<M: ConstrainedSystem> Watch<M> {
             }
         }
         let negative = guards.iter().map(|guard| *guard < 0.0).collect();
-        let mut watch = Watch {
-            largest,
-            negative,
-            model: PhantomData,
-        };
+        let mut watch = Watch { largest, negative, model: PhantomData };
         watch.judge(t, guards)?;
         Ok(watch)
     }
@@ -69,24 +64,15 @@ impl<M: ConstrainedSystem> Watch<M> {
     /// Magnitude, change of sign and finiteness of the guards of an accepted state.
     pub(super) fn judge(&mut self, time: f64, guards: &[f64]) -> Result<(), Error> {
         let watched = self.largest.iter_mut().zip(&self.negative);
-        for ((info, &value), (largest, negative)) in M::MODEL.guards.iter().zip(guards).zip(watched)
-        {
-            let singular = Error::ChartSingularity {
-                guard: info.name,
-                value,
-                time,
-            };
+        for ((info, &value), (largest, negative)) in M::MODEL.guards.iter().zip(guards).zip(watched) {
+            let singular = Error::ChartSingularity { guard: info.name, value, time };
             // Also true where the guard is not a number.
             if !(value.abs() > SINGULAR * *largest && value.is_finite()) {
                 return Err(singular);
             }
             match info.kind {
                 GuardKind::Positive if value < 0.0 => {
-                    return Err(Error::Indefinite {
-                        pivot: info.name,
-                        value,
-                        time: Some(time),
-                    });
+                    return Err(Error::Indefinite { pivot: info.name, value, time: Some(time) });
                 }
                 GuardKind::Pivot if (value < 0.0) != *negative => return Err(singular),
                 _ => *largest = largest.max(value.abs()),
@@ -103,11 +89,7 @@ impl<M: ConstrainedSystem> Watch<M> {
             let ratio = value.abs() / largest;
             if ratio < smallest {
                 smallest = ratio;
-                found = Some(Error::ChartSingularity {
-                    guard: info.name,
-                    value,
-                    time,
-                });
+                found = Some(Error::ChartSingularity { guard: info.name, value, time });
             }
         }
         found

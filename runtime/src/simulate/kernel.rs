@@ -1,21 +1,20 @@
 //! The loop over the steps.
 
-use alloc::boxed::Box;
-use core::ops::Range;
-
 use super::control::{Controller, Tolerance};
-use super::guards::Watch;
+use super::course::{COEFFICIENTS, Course, dense_output, finite};
 use super::inputs::InputSource;
 use super::tableau::Tableau;
 use super::trajectory::{StateArray, Trajectory, interpolate};
-use crate::assemble::first_non_finite;
-use crate::manifold::Manifold;
-use crate::{ConstrainedSystem, Error, Prepared, Vector};
+use crate::{ConstrainedSystem, Error};
 
-/// The most coefficients that a method's dense output has.
-const COEFFICIENTS: usize = 8;
 /// Times that differ by less than this part of a step are the same.
 const SAME_TIME: f64 = 1e-12;
+/// A step is lengthened to reach the end if less than this part of it would remain.
+const REMAINDER: f64 = 0.01;
+/// With fixed steps only rounding is made up for.
+const FIXED_REMAINDER: f64 = 1e-9;
+/// Progress is told when this part of the run has been added.
+const PROGRESS: f64 = 0.005;
 
 /// Sizes of the steps.
 #[derive(Copy, Clone, Debug)]
@@ -35,325 +34,170 @@ pub(super) struct Plan {
     pub(super) max_steps: usize,
 }
 
-/// A model with its inputs, its guards and its way back onto the constraints.
-pub(super) struct Course<'a, M: ConstrainedSystem, I> {
-    pub(super) model: &'a Prepared<M>,
-    pub(super) source: I,
-    pub(super) watch: Watch<M>,
-    pub(super) manifold: Option<Manifold<M>>,
-    pub(super) progress: Option<Box<dyn FnMut(f64) + 'a>>,
+impl Plan {
+    /// 1 forwards in time, −1 backwards.
+    pub(super) fn direction(&self) -> f64 {
+        if self.end < self.start { -1.0 } else { 1.0 }
+    }
+
+    /// The end of the step that follows `taken` steps and starts at t, `size` long if the method may choose.
+    fn next(&self, t: f64, taken: usize, size: f64) -> f64 {
+        let (next, remainder) = match self.pace {
+            // From a count, so that the times do not gather rounding errors.
+            Pace::Fixed { step } => {
+                let next = self.start + self.direction() * step * (taken + 1) as f64;
+                (next, FIXED_REMAINDER)
+            }
+            Pace::Adaptive { .. } => (t + self.direction() * size, REMAINDER),
+        };
+        if (self.end - next) * self.direction() <= remainder * size { self.end } else { next }
+    }
+
+    /// The time of the output after `count` ones; none where every step is kept.
+    fn output(&self, count: usize) -> Option<f64> {
+        let every = self.every?;
+        Some(self.start + self.direction() * every * (count + 1) as f64)
+    }
+
+    /// Whether the next output lies strictly before the end of the step.
+    fn output_within(&self, count: usize, next: f64, h: f64) -> Option<f64> {
+        let within = |at: &f64| (next - at) * self.direction() > SAME_TIME * h.abs();
+        self.output(count).filter(within)
+    }
+
+    /// Whether the end of the step is to be kept.
+    fn output_at(&self, count: usize, next: f64, h: f64) -> bool {
+        let reached = |at: f64| (next - at) * self.direction() >= -SAME_TIME * h.abs();
+        self.output(count).is_none_or(reached)
+    }
 }
 
 impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
-    /// Stages of one step: their rates go to k; returns the state and the guards at the last one.
-    ///
-    /// The only call site of `derivative` in the loop, so that it is inlined once.
-    #[inline(never)]
-    fn stages<const S: usize>(
-        &mut self,
-        tableau: &Tableau<S>,
-        range: Range<usize>,
-        (t, h): (f64, f64),
-        y: &StateArray<M>,
-        k: &mut [StateArray<M>; S],
-    ) -> (StateArray<M>, M::Guards<f64>) {
-        let mut stage = *y;
-        let mut guards = M::Guards::from_fn(|_| 0.0);
-        for i in range {
-            let mut sum = *y;
-            sum.as_mut().fill(0.0);
-            for (weight, k) in tableau.a[i].iter().zip(&*k).take(i) {
-                if *weight != 0.0 {
-                    for (sum, k) in sum.as_mut().iter_mut().zip(k.as_ref()) {
-                        *sum += weight * k;
-                    }
-                }
-            }
-            for ((stage, y), sum) in stage.as_mut().iter_mut().zip(y.as_ref()).zip(sum.as_ref()) {
-                *stage = y + h * sum;
-            }
-            let (at, s) = (t + tableau.c[i] * h, stage.into());
-            let inputs = self.source.inputs(at, &s);
-            let (rate, found) = M::derivative(self.model.values(), at, &s, &inputs);
-            k[i] = rate.into();
-            guards = found;
-        }
-        (stage, guards)
-    }
-
-    /// The rate and the guards at one state, outside of the loop.
-    #[inline(never)]
-    fn evaluate(&mut self, t: f64, y: &StateArray<M>) -> (StateArray<M>, M::Guards<f64>) {
-        let s = (*y).into();
-        let inputs = self.source.inputs(t, &s);
-        let (rate, guards) = M::derivative(self.model.values(), t, &s, &inputs);
-        (rate.into(), guards)
-    }
-
-    /// Why the run broke down after a regular state.
-    fn diagnose(&mut self, t: f64, y: &StateArray<M>, broken: &StateArray<M>) -> Error {
-        let s = (*y).into();
-        if let Some(error) = self
-            .watch
-            .suspect(t, self.model.guards(t, &s).into().as_ref())
-        {
-            return error;
-        }
-        let inputs = self.source.inputs(t, &s).into();
-        if let Some(at) = inputs.as_ref().iter().position(|input| !input.is_finite()) {
-            return Error::NonFinite {
-                name: M::MODEL.inputs.get(at).copied().unwrap_or("input"),
-            };
-        }
-        Error::Diverged {
-            name: first_non_finite::<M>(&(*broken).into()).unwrap_or("derivative"),
-            time: t,
-        }
-    }
-
-    /// A first step size that makes an Euler step's error small (Hairer, Nørsett, Wanner, section II.4).
-    fn first_step(
-        &mut self,
-        order: i32,
-        plan: &Plan,
-        tolerance: Tolerance,
-        y: &StateArray<M>,
-        k: &StateArray<M>,
-    ) -> f64 {
-        let (span, direction) = ((plan.end - plan.start).abs(), direction(plan));
-        let size = tolerance.norm(y.as_ref(), y.as_ref());
-        let slope = tolerance.norm(k.as_ref(), y.as_ref());
-        let mut h = if size < 1e-5 || slope < 1e-5 {
-            1e-6 * span
-        } else {
-            0.01 * size / slope
-        };
-        h = h.min(span);
-        let mut ahead = *y;
-        for (y, k) in ahead.as_mut().iter_mut().zip(k.as_ref()) {
-            *y += direction * h * k;
-        }
-        let (mut change, _) = self.evaluate(plan.start + direction * h, &ahead);
-        for (change, k) in change.as_mut().iter_mut().zip(k.as_ref()) {
-            *change -= k;
-        }
-        let curvature = tolerance.norm(change.as_ref(), y.as_ref()) / h;
-        let steepest = slope.max(curvature);
-        let second = if steepest <= 1e-15 {
-            (1e-3 * h).max(1e-6 * span)
-        } else {
-            crate::math::double::pow(0.01 / steepest, 1.0 / f64::from(order))
-        };
-        let h = if second.is_finite() {
-            second.min(100.0 * h)
-        } else {
-            h
-        };
-        h.min(span)
-    }
-
     /// Takes all steps from the start of the plan to its end.
-    #[inline(never)]
     pub(super) fn run<const S: usize>(
         &mut self,
         tableau: &Tableau<S>,
         plan: &Plan,
         trajectory: &mut Trajectory<M>,
     ) -> Result<(), Error> {
-        let direction = direction(plan);
         let mut t = plan.start;
-        let mut y: StateArray<M> = (*trajectory.last().1).into();
-        let (rate, _) = self.evaluate(t, &y);
-        if !finite(&rate) {
-            return Err(self.diagnose(t, &y, &rate));
-        }
-        let mut k = [rate; S];
-        let mut evaluations = 1;
-        let mut controller = Controller::new(tableau);
-        let mut size = match plan.pace {
-            Pace::Fixed { step } => step,
-            Pace::Adaptive { tolerance, longest } => {
-                evaluations += 1;
-                self.first_step(tableau.order, plan, tolerance, &y, &rate)
-                    .min(longest)
-            }
-        };
-        let mut outputs = 0;
-        let mut told = 0.0;
-        let result = loop {
-            if t == plan.end {
-                break Ok(());
-            }
-            let taken = trajectory.statistics.accepted;
-            if taken + trajectory.statistics.rejected >= plan.max_steps {
-                break Err(Error::TooManySteps {
-                    steps: plan.max_steps,
-                    time: t,
-                });
-            }
-            // The time comes from a step count where the steps are fixed, and the last step ends at the end.
-            let mut next = match plan.pace {
-                Pace::Fixed { step } => plan.start + direction * step * (taken + 1) as f64,
-                Pace::Adaptive { .. } => t + direction * size,
-            };
-            let margin = if matches!(plan.pace, Pace::Fixed { .. }) {
-                1e-9
-            } else {
-                0.01
-            };
-            if (plan.end - next) * direction <= margin * size {
-                next = plan.end;
-            }
-            let h = next - t;
-            if h.abs() <= 4.0 * f64::EPSILON * t.abs() || h == 0.0 {
-                let guards = self.model.guards(t, &y.into()).into();
-                let error = self.watch.suspect(t, guards.as_ref());
-                break Err(error.unwrap_or(Error::StepTooSmall { step: h, time: t }));
-            }
-            let (mut ahead, mut guards) =
-                self.stages(tableau, 1..tableau.stages, (t, h), &y, &mut k);
-            evaluations += tableau.stages - 1;
-            let regular = finite(&ahead) && finite(&k[tableau.stages - 1]);
-            if let Pace::Adaptive { tolerance, longest } = plan.pace {
-                let error = if regular {
-                    tolerance.error(tableau, h, &k, &y, &ahead)
-                } else {
-                    f64::INFINITY
-                };
-                // Also true where the error is not a number.
-                if !(error <= 1.0) {
-                    trajectory.statistics.rejected += 1;
-                    size = h.abs() * controller.reject(error);
-                    if !regular && size <= 64.0 * f64::EPSILON * t.abs().max(plan.end.abs()) {
-                        break Err(self.diagnose(t, &y, &ahead));
-                    }
-                    continue;
-                }
-                size = (h.abs() * controller.accept(error)).min(longest);
-            } else if !regular {
-                break Err(self.diagnose(t, &y, &ahead));
-            }
-
-            let outputs_within = plan.every.is_some_and(|every| {
-                let first = plan.start + direction * every * (outputs + 1) as f64;
-                (next - first) * direction > SAME_TIME * h.abs()
-            });
-            let dense = plan.dense || outputs_within;
-            if dense && tableau.stages < S {
-                self.stages(tableau, tableau.stages..S, (t, h), &y, &mut k);
-                evaluations += S - tableau.stages;
-            }
-            if let Some(manifold) = &mut self.manifold {
-                let mut s = ahead.into();
-                match manifold.restore(self.model, next, &mut s) {
-                    Ok(false) => {}
-                    Ok(true) => {
-                        ahead = s.into();
-                        let (rate, found) = self.evaluate(next, &ahead);
-                        evaluations += 1;
-                        (k[tableau.stages - 1], guards) = (rate, found);
-                        if !finite(&rate) {
-                            break Err(self.diagnose(t, &y, &rate));
-                        }
-                    }
-                    Err(error) => break Err(error),
-                }
-            }
-            if let Err(error) = self.watch.judge(next, guards.into().as_ref()) {
-                break Err(error);
-            }
-
-            trajectory.statistics.accepted += 1;
-            if dense {
-                let mut coefficients = [y; COEFFICIENTS];
-                let count = dense_output(tableau, h, &k, &y, &ahead, &mut coefficients);
-                let coefficients = &coefficients[..count];
-                if plan.dense {
-                    trajectory.push_step(t, h, coefficients);
-                }
-                if let Some(every) = plan.every {
-                    let mut error = None;
-                    loop {
-                        let at = plan.start + direction * every * (outputs + 1) as f64;
-                        if (next - at) * direction <= SAME_TIME * h.abs() {
-                            break;
-                        }
-                        outputs += 1;
-                        let mut s = interpolate::<M>(coefficients, (at - t) / h).into();
-                        if let Some(manifold) = &mut self.manifold
-                            && let Err(found) = manifold.restore(self.model, at, &mut s)
-                        {
-                            error = Some(found);
-                            break;
-                        }
-                        trajectory.push(at, s);
-                    }
-                    if let Some(error) = error {
-                        break Err(error);
-                    }
-                }
-            }
-            let due = plan.every.is_none_or(|every| {
-                let at = plan.start + direction * every * (outputs + 1) as f64;
-                (next - at) * direction >= -SAME_TIME * h.abs()
-            });
-            if due || next == plan.end {
-                outputs += usize::from(due);
-                trajectory.push(next, ahead.into());
-            }
-            k[0] = k[tableau.stages - 1];
-            (t, y) = (next, ahead);
-            if let Some(progress) = &mut self.progress {
-                let fraction = (t - plan.start) / (plan.end - plan.start);
-                if fraction >= told + 0.005 || t == plan.end {
-                    told = fraction;
-                    progress(fraction);
-                }
-            }
-        };
-        trajectory.statistics.evaluations = evaluations;
+        let mut y = (*trajectory.last().1).into();
+        let result = self.steps(tableau, plan, (&mut t, &mut y), trajectory);
+        trajectory.statistics.evaluations = self.evaluations;
         // What there is of an interrupted run ends at its last regular state.
         if trajectory.last().0 != t {
             trajectory.push(t, y.into());
         }
         result
     }
-}
 
-/// Coefficients of the continuous extension of a step in Hairer's form, and their number.
-fn dense_output<A: AsRef<[f64]> + AsMut<[f64]> + Copy, const S: usize>(
-    tableau: &Tableau<S>,
-    h: f64,
-    k: &[A; S],
-    y: &A,
-    ahead: &A,
-    out: &mut [A; COEFFICIENTS],
-) -> usize {
-    let (first, last) = (k[0].as_ref(), k[tableau.stages - 1].as_ref());
-    for i in 0..y.as_ref().len() {
-        let (start, end) = (y.as_ref()[i], ahead.as_ref()[i]);
-        let rise = end - start;
-        let bend = h * first[i] - rise;
-        out[0].as_mut()[i] = start;
-        out[1].as_mut()[i] = rise;
-        out[2].as_mut()[i] = bend;
-        out[3].as_mut()[i] = rise - h * last[i] - bend;
-        for (weights, out) in tableau.dense.iter().zip(&mut out[4..]) {
-            let sum: f64 = weights
-                .iter()
-                .zip(k)
-                .map(|(weight, k)| weight * k.as_ref()[i])
-                .sum();
-            out.as_mut()[i] = h * sum;
+    /// The loop. `t` and `y` are the last accepted state, also when it ends with an error.
+    #[inline(never)]
+    fn steps<const S: usize>(
+        &mut self,
+        tableau: &Tableau<S>,
+        plan: &Plan,
+        (t, y): (&mut f64, &mut StateArray<M>),
+        trajectory: &mut Trajectory<M>,
+    ) -> Result<(), Error> {
+        let last = tableau.stages - 1;
+        let (rate, _) = self.evaluate(*t, y);
+        if !finite(&rate) {
+            return Err(self.diagnose((*t, *t), y, &rate));
+        }
+        let mut k = [rate; S];
+        let mut controller = Controller::new(tableau);
+        let mut size = match plan.pace {
+            Pace::Fixed { step } => step,
+            Pace::Adaptive { tolerance, longest } => {
+                let first = self.first_step(tableau.order, plan, tolerance, y, &rate);
+                first.min(longest)
+            }
+        };
+        let (mut outputs, mut told) = (0, 0.0);
+        while *t != plan.end {
+            let statistics = &mut trajectory.statistics;
+            if statistics.accepted + statistics.rejected >= plan.max_steps {
+                let (steps, time) = (plan.max_steps, *t);
+                return Err(Error::TooManySteps { steps, time });
+            }
+            let next = plan.next(*t, statistics.accepted, size);
+            let h = next - *t;
+            if h.abs() <= 4.0 * f64::EPSILON * t.abs() || h == 0.0 {
+                return Err(self.too_small(h, *t, y));
+            }
+            let (mut ahead, mut guards) = self.stages(tableau, 1..tableau.stages, (*t, h), y, &mut k);
+            let regular = finite(&ahead) && finite(&k[last]);
+            match plan.pace {
+                Pace::Adaptive { tolerance, longest } => {
+                    let error = match regular {
+                        true => tolerance.error(tableau, h, &k, y, &ahead),
+                        false => f64::INFINITY,
+                    };
+                    if error > 1.0 || error.is_nan() {
+                        statistics.rejected += 1;
+                        size = h.abs() * controller.reject(error);
+                        let furthest = t.abs().max(plan.end.abs());
+                        if !regular && size <= 64.0 * f64::EPSILON * furthest {
+                            return Err(self.diagnose((*t, next), y, &ahead));
+                        }
+                        continue;
+                    }
+                    size = (h.abs() * controller.accept(error)).min(longest);
+                }
+                Pace::Fixed { .. } if !regular => {
+                    return Err(self.diagnose((*t, next), y, &ahead));
+                }
+                Pace::Fixed { .. } => {}
+            }
+
+            let dense = plan.dense || plan.output_within(outputs, next, h).is_some();
+            if dense && tableau.stages < S {
+                self.stages(tableau, tableau.stages..S, (*t, h), y, &mut k);
+            }
+            if self.restore(next, &mut ahead)? {
+                (k[last], guards) = self.evaluate(next, &ahead);
+                if !finite(&k[last]) {
+                    return Err(self.diagnose((*t, next), y, &k[last]));
+                }
+            }
+            self.watch.judge(next, guards.into().as_ref())?;
+
+            trajectory.statistics.accepted += 1;
+            let (from, base) = (*t, *y);
+            (*t, *y) = (next, ahead);
+            if dense {
+                let mut coefficients = [base; COEFFICIENTS];
+                let count = dense_output(tableau, h, &k, &base, &ahead, &mut coefficients);
+                let coefficients = &coefficients[..count];
+                if plan.dense {
+                    trajectory.push_step(from, h, coefficients);
+                }
+                while let Some(at) = plan.output_within(outputs, next, h) {
+                    outputs += 1;
+                    let mut between = interpolate::<M>(coefficients, (at - from) / h);
+                    self.restore(at, &mut between)?;
+                    trajectory.push(at, between.into());
+                }
+            }
+            k[0] = k[last];
+            let kept = plan.output_at(outputs, next, h);
+            outputs += usize::from(kept);
+            if kept || next == plan.end {
+                trajectory.push(next, ahead.into());
+            }
+            self.tell(plan, next, &mut told);
+        }
+        Ok(())
+    }
+
+    fn tell(&mut self, plan: &Plan, t: f64, told: &mut f64) {
+        if let Some(progress) = &mut self.progress {
+            let fraction = (t - plan.start) / (plan.end - plan.start);
+            if fraction >= *told + PROGRESS || t == plan.end {
+                *told = fraction;
+                progress(fraction);
+            }
         }
     }
-    4 + tableau.dense.len()
-}
-
-fn direction(plan: &Plan) -> f64 {
-    if plan.end < plan.start { -1.0 } else { 1.0 }
-}
-
-fn finite<A: AsRef<[f64]>>(array: &A) -> bool {
-    array.as_ref().iter().all(|entry| entry.is_finite())
 }

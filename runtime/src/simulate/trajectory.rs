@@ -83,9 +83,7 @@ impl<M: ConstrainedSystem> Trajectory<M> {
     }
 
     /// Times and states in their order.
-    pub fn iter(
-        &self,
-    ) -> impl DoubleEndedIterator<Item = (f64, &M::State<f64>)> + ExactSizeIterator {
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = (f64, &M::State<f64>)> + ExactSizeIterator {
         self.times.iter().copied().zip(&self.states)
     }
 
@@ -115,10 +113,7 @@ impl<M: ConstrainedSystem> Trajectory<M> {
             return Ok(*end);
         }
         let before = |start: f64| (t - start) * direction >= 0.0;
-        let stored = self
-            .times
-            .partition_point(|time| before(*time))
-            .saturating_sub(1);
+        let stored = self.times.partition_point(|time| before(*time)).saturating_sub(1);
         if self.times[stored] == t {
             return Ok(self.states[stored]);
         }
@@ -126,8 +121,7 @@ impl<M: ConstrainedSystem> Trajectory<M> {
             0 => Err(Error::NoDenseOutput { time: t }),
             after => {
                 let (start, h) = self.steps[after - 1];
-                let coefficients =
-                    &self.coefficients[(after - 1) * self.stride..after * self.stride];
+                let coefficients = &self.coefficients[(after - 1) * self.stride..after * self.stride];
                 Ok(interpolate::<M>(coefficients, (t - start) / h).into())
             }
         }
@@ -136,10 +130,7 @@ impl<M: ConstrainedSystem> Trajectory<M> {
 
 /// c₀ + θ (c₁ + (1 − θ) (c₂ + θ (c₃ + …))): Hairer's form of the continuous extensions.
 #[inline]
-pub(super) fn interpolate<M: ConstrainedSystem>(
-    coefficients: &[StateArray<M>],
-    theta: f64,
-) -> StateArray<M> {
+pub(super) fn interpolate<M: ConstrainedSystem>(coefficients: &[StateArray<M>], theta: f64) -> StateArray<M> {
     let (last, lower) = match coefficients.split_last() {
         Some(split) => split,
         None => return M::State::<f64>::default().into(),
@@ -202,10 +193,7 @@ pub struct Interrupted<M: ConstrainedSystem> {
 
 impl<M: ConstrainedSystem> fmt::Debug for Interrupted<M> {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.debug_struct("Interrupted")
-            .field("error", &self.error)
-            .field("trajectory", &self.trajectory)
-            .finish()
+        out.debug_struct("Interrupted").field("error", &self.error).field("trajectory", &self.trajectory).finish()
     }
 }
 

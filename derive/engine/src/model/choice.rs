@@ -1,7 +1,7 @@
 //! What the model says about the independent speeds: their list, or D by rows.
 
-use super::dynamics::counted;
-use super::lower::{Context, Vocabulary};
+use super::context::Context;
+use super::lower::Vocabulary;
 use super::names::Meaning;
 use super::system::{ComplementRow, Configuration, IndependentSpeed, Kinematics};
 use crate::symbolic::{Expr, Symbol};
@@ -31,7 +31,7 @@ pub(super) fn independent(
             (_, None) => Err(vocabulary.names.unknown(&written)),
         };
         let message = match found {
-            Ok((name, _)) if list.iter().any(|other| other.name == name) => messages::independent_twice(name),
+            Ok((name, _)) if list.iter().any(|other| other.name == name) => messages::independent_twice(quantity),
             Ok((name, expr)) => {
                 list.push(IndependentSpeed { name, expr, place: quantity.place() });
                 continue;
@@ -95,11 +95,11 @@ pub(super) fn complement(
     let (columns, what, context) = match configuration {
         Some(configuration) => {
             let count = configuration.rates.len();
-            (count, counted(count, "coordinate", "coordinates"), Context::COMPLEMENT_OF_RATES)
+            (count, messages::counted(count, "coordinate", "coordinates"), Context::COMPLEMENT_OF_RATES)
         }
         None => {
-            let count = vocabulary.speeds.len();
-            (count, counted(count, "speed", "speeds"), Context::COMPLEMENT)
+            let count = vocabulary.coordinates.len();
+            (count, messages::counted(count, "speed", "speeds"), Context::COMPLEMENT)
         }
     };
     let mut rows: Vec<ComplementRow> = Vec::new();
@@ -111,7 +111,7 @@ pub(super) fn complement(
             .map(|entry| vocabulary.lower(entry, context, diagnostics).map(|lowered| lowered.expr))
             .collect();
         if row.entries.len() != columns {
-            let entries = counted(row.entries.len(), "entry", "entries");
+            let entries = messages::counted(row.entries.len(), "entry", "entries");
             diagnostics.report(row.span, messages::wrong_length(format!("the row `{name}`"), entries, &what));
         }
         let Some(mut entries) = lowered.into_iter().collect::<Option<Vec<Expr>>>() else { continue };

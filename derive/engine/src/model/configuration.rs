@@ -1,6 +1,7 @@
 //! x = g(q, t) (4.2).
 
-use super::lower::{Context, Vocabulary};
+use super::context::Context;
+use super::lower::Vocabulary;
 use super::names::Meaning;
 use super::system::Configuration;
 use crate::symbolic::{Expr, Kind, Symbol};
@@ -56,8 +57,10 @@ pub(super) fn build(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnosti
     let graph = &mut vocabulary.graph;
     for (assignment, value) in written.map.iter().zip(targets.iter().flatten().map(|target| given[*target])) {
         // The same through a define.
-        if value.is_some_and(|value| graph.contains(value, &given_symbols)) {
-            diagnostics.report(assignment.value.place(), messages::configuration_of_given(&assignment.name));
+        let inside = value.map(|value| graph.symbols_of(&[value])).unwrap_or_default();
+        if let Some(symbol) = inside.iter().find(|symbol| given_symbols.contains(symbol)) {
+            let message = messages::configuration_of_given(graph.name(*symbol));
+            diagnostics.report(assignment.value.place(), message);
             sound = false;
         }
     }
@@ -67,7 +70,8 @@ pub(super) fn build(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnosti
         diagnostics.report(written.span, messages::configuration_without_coordinate());
     }
     for (name, symbol) in written.further.iter().zip(&vocabulary.further) {
-        if !given.iter().flatten().any(|value| graph.contains(*value, &[*symbol])) {
+        let known = matches!(vocabulary.names.get(&name.ident.to_string()), Some(Meaning::Further(_)));
+        if known && !given.iter().flatten().any(|value| graph.contains(*value, &[*symbol])) {
             diagnostics.report(&name.ident, messages::configuration_without(&name.ident));
         }
     }

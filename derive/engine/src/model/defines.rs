@@ -1,6 +1,7 @@
 //! Defines in the order of their dependence, which need not be that of their appearance.
 
-use super::lower::{Context, Vocabulary};
+use super::context::Context;
+use super::lower::Vocabulary;
 use super::names::Meaning;
 use crate::syntax::{Diagnostics, Term, messages};
 

@@ -2,7 +2,8 @@
 
 use proc_macro2::Span;
 
-use super::lower::{Context, Vocabulary};
+use super::context::Context;
+use super::lower::Vocabulary;
 use crate::symbolic::{Expr, Matrix};
 use crate::syntax::{Diagnostics, Inertia, InertiaEntry, InertiaForm, List, messages};
 
@@ -12,7 +13,7 @@ pub(super) fn inertia(
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Matrix> {
-    let n = vocabulary.speeds.len();
+    let n = vocabulary.coordinates.len();
     match &inertia.form {
         InertiaForm::Diagonal(entries) => {
             let fits = fits("inertia", entries.len(), n, inertia.span, diagnostics);
@@ -63,37 +64,34 @@ fn symmetric(entries: &[Vec<Entry>], vocabulary: &Vocabulary<'_>, diagnostics: &
     let n = entries.len();
     let mut matrix = Matrix::zeros(graph, n, n);
     let mut sound = true;
-    for i in 0..n {
-        for j in 0..=i {
-            let value = match (entries[i][j], entries[j][i]) {
-                (Entry::Refused, _) | (_, Entry::Refused) => None,
-                (Entry::Symmetric(span), Entry::Symmetric(_)) => {
-                    let message =
-                        if i == j { messages::underscore_on_diagonal() } else { messages::underscore_twice() };
-                    diagnostics.report(span, message);
+    for (i, j) in (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))) {
+        let value = match (entries[i][j], entries[j][i]) {
+            (Entry::Refused, _) | (_, Entry::Refused) => None,
+            (Entry::Symmetric(span), Entry::Symmetric(_)) => {
+                let message = if i == j { messages::underscore_on_diagonal() } else { messages::underscore_twice() };
+                diagnostics.report(span, message);
+                None
+            }
+            (Entry::Given(value, _), Entry::Symmetric(_)) | (Entry::Symmetric(_), Entry::Given(value, _)) => {
+                Some(value)
+            }
+            (Entry::Given(below, place), Entry::Given(above, _)) => {
+                if graph.identical(below, above) {
+                    Some(above)
+                } else {
+                    let (row, column) = (j + 1, i + 1);
+                    let (above, below) = (graph.display(above), graph.display(below));
+                    diagnostics.report(place, messages::not_symmetric(row, column, above, below));
                     None
                 }
-                (Entry::Given(value, _), Entry::Symmetric(_)) | (Entry::Symmetric(_), Entry::Given(value, _)) => {
-                    Some(value)
-                }
-                (Entry::Given(below, place), Entry::Given(above, _)) => {
-                    if graph.identical(below, above) {
-                        Some(above)
-                    } else {
-                        let (row, column) = (j + 1, i + 1);
-                        let (above, below) = (graph.display(above), graph.display(below));
-                        diagnostics.report(place, messages::not_symmetric(row, column, above, below));
-                        None
-                    }
-                }
-            };
-            match value {
-                Some(value) => {
-                    matrix.set(i, j, value);
-                    matrix.set(j, i, value);
-                }
-                None => sound = false,
             }
+        };
+        match value {
+            Some(value) => {
+                matrix.set(i, j, value);
+                matrix.set(j, i, value);
+            }
+            None => sound = false,
         }
     }
     sound.then_some(matrix)
@@ -105,7 +103,7 @@ pub(super) fn forces(
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Vec<Expr>> {
-    let fits = fits("forces", forces.entries.len(), vocabulary.speeds.len(), forces.span, diagnostics);
+    let fits = fits("forces", forces.entries.len(), vocabulary.coordinates.len(), forces.span, diagnostics);
     let entries: Vec<Option<Expr>> = forces
         .entries
         .iter()
@@ -120,13 +118,12 @@ fn fits(what: &str, found: usize, speeds: usize, span: Span, diagnostics: &mut D
         let what = if what.contains(' ') { what.to_owned() } else { format!("`{what}`") };
         diagnostics.report(
             span,
-            messages::wrong_length(what, counted(found, "entry", "entries"), counted(speeds, "speed", "speeds")),
+            messages::wrong_length(
+                what,
+                messages::counted(found, "entry", "entries"),
+                messages::counted(speeds, "speed", "speeds"),
+            ),
         );
     }
     found == speeds
-}
-
-/// `1 entry`, `2 entries`
-pub(super) fn counted(number: usize, one: &str, many: &str) -> String {
-    format!("{number} {}", if number == 1 { one } else { many })
 }

@@ -47,7 +47,7 @@ impl Call<'_> {
             return None;
         };
         if *count != self.count {
-            let message = messages::wrong_number_of_arguments(self.function, count, self.count);
+            let message = wrong_number_of_arguments(self.function, *count, self.count);
             diagnostics.report(self.span, message);
             return None;
         }
@@ -101,4 +101,9 @@ impl Call<'_> {
         let meant = alias.or_else(|| nearest(name, FUNCTIONS.iter().map(|(function, _)| *function)));
         messages::unknown_function(name, did_you_mean(meant))
     }
+}
+
+pub(super) fn wrong_number_of_arguments(function: &str, expected: usize, found: usize) -> String {
+    let expected = messages::counted(expected, "argument", "arguments");
+    messages::wrong_number_of_arguments(function, expected, found)
 }

@@ -112,26 +112,20 @@ impl Elimination {
     /// fill-in it may cause, then by position.
     fn pivot(&self, graph: &Graph, rows: &[usize], columns: &[usize]) -> Option<(usize, usize)> {
         let filled = |i: usize, j: usize| !graph.is_zero(self.left.get(i, j));
-        let mut best: Option<((u8, usize, usize, usize), (usize, usize))> = None;
-        for &i in rows {
-            for &j in columns.iter().filter(|&&j| filled(i, j)) {
-                let value = self.left.get(i, j);
-                let class = match (graph.as_number(value), graph.stage(value)) {
-                    (Some(number), _) if number.as_integer().is_some_and(|number| number.abs() == 1) => 0,
-                    (Some(_), _) => 1,
-                    (None, Stage::Constant | Stage::Parameter) => 2,
-                    _ => 3,
-                };
-                let others = |count: usize| count.saturating_sub(1);
-                let in_row = others(columns.iter().filter(|&&j| filled(i, j)).count());
-                let in_column = others(rows.iter().filter(|&&i| filled(i, j)).count());
-                let rank = (class, in_row * in_column, i, j);
-                if best.as_ref().is_none_or(|(other, _)| rank < *other) {
-                    best = Some((rank, (i, j)));
-                }
-            }
-        }
-        best.map(|(_, at)| at)
+        let rank = |i: usize, j: usize| {
+            let value = self.left.get(i, j);
+            let class = match (graph.as_number(value), graph.stage(value)) {
+                (Some(number), _) if number.as_integer().is_some_and(|number| number.abs() == 1) => 0,
+                (Some(_), _) => 1,
+                (None, Stage::Constant | Stage::Parameter) => 2,
+                _ => 3,
+            };
+            let in_row = columns.iter().filter(|&&j| filled(i, j)).count().saturating_sub(1);
+            let in_column = rows.iter().filter(|&&i| filled(i, j)).count().saturating_sub(1);
+            (class, in_row * in_column, i, j)
+        };
+        let entries = rows.iter().flat_map(|&i| columns.iter().map(move |&j| (i, j)));
+        entries.filter(|&(i, j)| filled(i, j)).min_by_key(|&(i, j)| rank(i, j))
     }
 
     fn eliminate_entry(&mut self, graph: &mut Graph, i: usize, j: usize) {

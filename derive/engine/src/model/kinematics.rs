@@ -2,9 +2,10 @@
 
 use proc_macro2::Span;
 
+use super::context::Context;
 use super::inverse::{self, Dependence, Inverse};
 use super::linear::{self, Linear};
-use super::lower::{Context, Vocabulary};
+use super::lower::Vocabulary;
 use super::names::Meaning;
 use super::system::Kinematics;
 use crate::symbolic::{Expr, Graph, Matrix, Symbol};
@@ -37,6 +38,11 @@ pub(super) fn build(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnosti
                 diagnostics.report(speeds.span, messages::number_of_speeds(speeds.names.len(), n));
             }
             let (of_speeds, of_rates) = sort(vocabulary, diagnostics)?;
+            let partly = |side: &Side<'_>| side.iter().any(Option::is_some) && side.iter().any(Option::is_none);
+            if partly(&of_speeds) && partly(&of_rates) {
+                diagnostics.report(kinematics.span, messages::kinematics_mixed());
+                return None;
+            }
             let of_speeds = complete(vocabulary, of_speeds, kinematics.span, Direction::Speeds, diagnostics);
             let of_rates = complete(vocabulary, of_rates, kinematics.span, Direction::Rates, diagnostics);
             let of_speeds = of_speeds.map(|side| one_direction(vocabulary, &side, Direction::Speeds, diagnostics));
@@ -50,14 +56,14 @@ pub(super) fn build(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnosti
                 }
                 (Some(of_speeds), None) => {
                     let Linear { coefficients: b, constant: b0 } = of_speeds?;
-                    let speeds = vocabulary.speeds.clone();
-                    let (a, a0, pivots) = inverted(vocabulary, &b, &b0, &speeds, kinematics.span, diagnostics)?;
+                    let (a, a0, pivots) =
+                        inverted(vocabulary, &b, &b0, Direction::Speeds, kinematics.span, diagnostics)?;
                     Some(Kinematics { a, a0, b, b0, pivots })
                 }
                 (None, Some(of_rates)) => {
                     let Linear { coefficients: a, constant: a0 } = of_rates?;
-                    let rates = vocabulary.rates.clone();
-                    let (b, b0, pivots) = inverted(vocabulary, &a, &a0, &rates, kinematics.span, diagnostics)?;
+                    let (b, b0, pivots) =
+                        inverted(vocabulary, &a, &a0, Direction::Rates, kinematics.span, diagnostics)?;
                     Some(Kinematics { a, a0, b, b0, pivots })
                 }
                 (None, None) => None,
@@ -182,7 +188,7 @@ fn inverted(
     vocabulary: &mut Vocabulary<'_>,
     matrix: &Matrix,
     bias: &[Expr],
-    left: &[Symbol],
+    direction: Direction,
     span: Span,
     diagnostics: &mut Diagnostics,
 ) -> Option<(Matrix, Vec<Expr>, Vec<Expr>)> {
@@ -194,8 +200,12 @@ fn inverted(
             Some((inverse, rest, pivots))
         }
         Err(Dependence(coefficients)) => {
+            let (left, right) = match direction {
+                Direction::Speeds => (&vocabulary.speeds, "rates"),
+                Direction::Rates => (&vocabulary.rates, "speeds"),
+            };
             let combination = combination(graph, &coefficients, left);
-            diagnostics.report(span, messages::kinematics_not_invertible(combination));
+            diagnostics.report(span, messages::kinematics_not_invertible(combination, right));
             None
         }
     }
@@ -220,7 +230,7 @@ fn checked(
     let Linear { coefficients: a, constant: a0 } = of_rates;
     // The chart's singularities are those of B, whoever writes down its inverse.
     let speeds = vocabulary.speeds.clone();
-    let (_, _, pivots) = inverted(vocabulary, &b, &b0, &speeds, span, diagnostics)?;
+    let (_, _, pivots) = inverted(vocabulary, &b, &b0, Direction::Speeds, span, diagnostics)?;
     let graph = &mut vocabulary.graph;
     let product = b.mul(graph, &a);
     let shift = b.mul_vec(graph, &a0);

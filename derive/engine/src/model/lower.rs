@@ -2,43 +2,11 @@
 
 use quote::ToTokens;
 
-use super::functions::Call;
+use super::context::Context;
+use super::functions::{Call, wrong_number_of_arguments};
 use super::names::{Meaning, Mentions, Names};
 use crate::symbolic::{Expr, Graph, Kind, Rational, Symbol};
 use crate::syntax::{Declarations, Diagnostics, Expression, Operator, Term, messages};
-
-/// What an expression may mention, by where it stands, and the rule as a clause of a message.
-#[derive(Clone, Copy)]
-pub(super) struct Context {
-    pub allowed: Mentions,
-    pub rule: &'static str,
-}
-
-const PLACE: Mentions = Mentions::PARAMETERS.and(Mentions::TIME).and(Mentions::COORDINATES);
-
-impl Context {
-    pub const SPEEDS: Context = Context { allowed: PLACE.and(Mentions::RATES), rule: messages::RULE_SPEEDS };
-    pub const RATES: Context = Context { allowed: PLACE.and(Mentions::SPEEDS), rule: messages::RULE_RATES };
-    pub const INERTIA: Context = Context { allowed: PLACE, rule: messages::RULE_INERTIA };
-    pub const POTENTIAL: Context = Context { allowed: PLACE, rule: messages::RULE_POTENTIAL };
-    pub const FORCES: Context = Context {
-        allowed: PLACE.and(Mentions::SPEEDS).and(Mentions::RATES).and(Mentions::INPUTS),
-        rule: messages::RULE_FORCES,
-    };
-    pub const CONSTRAINT: Context =
-        Context { allowed: PLACE.and(Mentions::SPEEDS).and(Mentions::RATES), rule: messages::RULE_CONSTRAINT };
-    pub const CONFIGURATION: Context =
-        Context { allowed: PLACE.and(Mentions::FURTHER), rule: messages::RULE_CONFIGURATION };
-    pub const COMPLEMENT: Context = Context { allowed: PLACE, rule: messages::RULE_COMPLEMENT };
-    pub const COMPLEMENT_OF_RATES: Context =
-        Context { allowed: PLACE.and(Mentions::FURTHER), rule: messages::RULE_COMPLEMENT };
-    pub const NUMBER: Context = Context { allowed: Mentions::NONE, rule: messages::RULE_NUMBER };
-    /// Where a define is used decides, not where it stands.
-    pub const DEFINE: Context = Context {
-        allowed: PLACE.and(Mentions::FURTHER).and(Mentions::SPEEDS).and(Mentions::RATES).and(Mentions::INPUTS),
-        rule: "",
-    };
-}
 
 /// An expression of the graph and what it mentions.
 #[derive(Clone, Copy, Debug)]
@@ -206,6 +174,10 @@ impl<'a> Vocabulary<'a> {
                     diagnostics.report(span, messages::field_not_scalar(name, ty));
                     return None;
                 }
+                if name.starts_with("r#") {
+                    diagnostics.report(span, messages::raw_identifier(name));
+                    return None;
+                }
                 self.used[i] = true;
                 (self.fields[i], Mentions::PARAMETERS)
             }
@@ -253,7 +225,7 @@ impl<'a> Vocabulary<'a> {
                     }
                     Some(Meaning::Speed(_)) => messages::acceleration(function, name),
                     Some(Meaning::Coordinate(i)) if function == "dot" => {
-                        if !Mentions::RATES.beyond(context.allowed).eq(&Mentions::NONE) {
+                        if Mentions::RATES.beyond(context.allowed) != Mentions::NONE {
                             let text = format!("dot({name})");
                             diagnostics.report(span, messages::out_of_place(text, "a rate", context.rule));
                             return None;
@@ -273,7 +245,7 @@ impl<'a> Vocabulary<'a> {
                 _ => messages::dot_of_expression(),
             },
             [_, _] if function == "dot" => messages::scalar_product(),
-            _ => messages::wrong_number_of_arguments(function, 1, arguments.len()),
+            _ => wrong_number_of_arguments(function, 1, arguments.len()),
         };
         diagnostics.report(span, message);
         None

@@ -2,23 +2,25 @@
 //!
 //! | file | idea |
 //! |---|---|
-//! | [`names`] | one namespace, and what an expression mentions |
-//! | [`functions`] | the functions of the language |
-//! | [`lower`] | expressions as written become expressions of the graph |
-//! | [`defines`] | intermediate names in the order of their dependence |
-//! | [`kinematics`] | ẋ = A v + a0 (2.1), v = B ẋ + b0 (2.2): one given, the other derived |
-//! | [`linear`] | splitting what is linear, decided |
-//! | [`inverse`], [`blocks`] | inverses with few divisors |
-//! | [`dynamics`] | M, h* (2.3), V |
-//! | [`rows`] | constraints, sorted by what they bind |
-//! | [`configuration`] | x = g(q, t) (4.2) |
-//! | [`choice`] | independent speeds, or D by rows (3.1) |
-//! | [`numbers`] | values for judging |
-//! | [`system`] | the result |
+//! | `names` | one namespace, and what an expression mentions |
+//! | `functions` | the functions of the language |
+//! | `context` | what may occur where |
+//! | `lower` | expressions as written become expressions of the graph |
+//! | `defines` | intermediate names in the order of their dependence |
+//! | `kinematics` | ẋ = A v + a0 (2.1), v = B ẋ + b0 (2.2): one given, the other derived |
+//! | `linear` | splitting what is linear, decided |
+//! | `inverse`, `blocks` | inverses with few divisors |
+//! | `dynamics` | M, h* (2.3), V |
+//! | `rows` | constraints, sorted by what they bind |
+//! | `configuration` | x = g(q, t) (4.2) |
+//! | `choice` | independent speeds, or D by rows (3.1) |
+//! | `numbers` | values for judging |
+//! | `system` | the result |
 
 mod blocks;
 mod choice;
 mod configuration;
+mod context;
 mod defines;
 mod dynamics;
 mod functions;
@@ -37,15 +39,17 @@ pub use system::{ComplementRow, Configuration, IndependentSpeed, InitialSystem, 
 
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::{Declarations, Diagnostics, messages};
-use lower::{Context, Vocabulary};
+use context::Context;
+use lower::Vocabulary;
 use names::Names;
 
 /// Builds the initial system of a model.
 ///
 /// # Errors
 ///
-/// Everything in the model that makes no sense. Declarations that are not
-/// [`complete`](Declarations::complete) give errors that are not the user's.
+/// Everything in the model that makes no sense. What was reported when it was read is not reported again: with holes in
+/// the declarations the list may be empty. Declarations that are not [`complete`](Declarations::complete) give errors
+/// that are not the user's.
 pub fn build(declarations: &Declarations) -> Result<InitialSystem, Diagnostics> {
     let mut diagnostics = Diagnostics::new();
     let system = attempt(declarations, &mut diagnostics);

@@ -1,6 +1,7 @@
 //! `start` and `nominal`: numbers by which choices are judged. They never enter emitted arithmetic.
 
-use super::lower::{Context, Vocabulary};
+use super::context::Context;
+use super::lower::Vocabulary;
 use super::names::Meaning;
 use crate::symbolic::Symbol;
 use crate::syntax::{Diagnostics, Expression, messages};

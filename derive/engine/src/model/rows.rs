@@ -1,7 +1,8 @@
 //! Constraints, sorted by what they bind.
 
+use super::context::Context;
 use super::linear;
-use super::lower::{Context, Vocabulary};
+use super::lower::Vocabulary;
 use super::names::Mentions;
 use super::system::{Row, RowKind};
 use crate::symbolic::{Expr, Symbol};
@@ -51,12 +52,18 @@ pub(super) fn finish(
     let mut rows = Vec::new();
     for Written { constraint, expr, is_velocity } in written {
         let name = constraint.name.to_string();
+        // Speeds without names are written as rates.
+        let unnamed = vocabulary.declarations.speeds.is_none();
         let kind = if *is_velocity {
             let phi = graph.substitute(&[*expr], rates)[0];
             match linear::split(graph, &[phi], &vocabulary.speeds) {
                 Err(refused) => {
                     for nonlinear in refused {
                         let variable = graph.name(nonlinear.variable);
+                        let variable = match variable.strip_prefix("dot_") {
+                            Some(of) if unnamed => format!("dot({of})"),
+                            _ => variable.to_owned(),
+                        };
                         diagnostics.report(&constraint.name, messages::constraint_not_linear(&name, variable));
                     }
                     continue;

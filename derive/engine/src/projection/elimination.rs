@@ -74,9 +74,7 @@ pub fn eliminate(
     let (m, n) = (c.rows(), c.columns());
     let mut reduced = c.clone();
     for e in reduced.entries_mut() {
-        if graph.vanishes(*e) {
-            *e = graph.zero();
-        }
+        *e = if graph.vanishes(*e) { graph.zero() } else { simplifier.one(graph, *e) };
     }
     let mut inverse = Matrix::identity(graph, m);
     let mut pivots: Vec<Option<usize>> = vec![None; m];

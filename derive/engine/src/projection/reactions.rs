@@ -2,7 +2,8 @@
 //!
 //! With v̇ known, M v̇ - h* = Cᵀ λ (2.8a) has a solution, and the rows of C at its pivots give it without M⁻¹ and
 //! without M_c: λ = C_d⁻ᵀ (M v̇ - h*)_d. It equals (3.6) wherever M is regular, and holds where M is not. Where the
-//! pivots of C would need guards of their own, (C Cᵀ) λ = C (M v̇ - h*) is solved instead.
+//! pivots of C would need guards of their own, (C Cᵀ) λ = C (M v̇ - h*) is solved instead. With a configuration the rows
+//! that bind its rates come first, in the carriers' space; the rows that it satisfies carry what is left.
 
 use super::Simplifier;
 use super::constraints::DifferentiatedRow;
@@ -56,30 +57,57 @@ pub fn reactions(
         return None;
     }
     let graph = &mut system.graph;
-    let among_carriers = tangent.rows.len() == m && (carriers.partial_velocities.is_none() || m < n - k);
-    if among_carriers {
-        // The configuration's own reactions do no work on the carriers and drop out.
-        let rate = rates(graph, &tangent.complement, accelerations, &tangent.bias);
-        let (inertia, forces) = (&dynamics.carrier_inertia, &dynamics.carrier_forces);
-        if let Some(elimination) = &tangent.elimination {
-            let mut at_pivots = Vec::with_capacity(m);
-            for j in &elimination.pivots {
-                let r = residual(graph, inertia, forces, &rate, *j);
-                at_pivots.push(simplifier.one(graph, r));
-            }
-            let multipliers = elimination.inverse.transpose().mul_vec(graph, &at_pivots);
-            return Some(Reactions { multipliers, pivots: Vec::new() });
-        }
-        let c = tangent.gradients.map(|entries| to_state(graph, carriers, tangent, entries));
-        let r: Vec<Expr> = (0..c.columns()).map(|i| residual(graph, inertia, forces, &rate, i)).collect();
+    let c = |graph: &mut Graph, simplifier: &mut dyn Simplifier, list: &[usize]| {
+        let gradients = list.iter().map(|p| to_state(graph, carriers, tangent, &rows[kept[*p]].gradient)).collect();
+        Matrix::from_rows(gradients, n).map(|entries| entries.iter().map(|e| simplifier.one(graph, *e)).collect())
+    };
+    let all: Vec<usize> = (0..m).collect();
+    if tangent.overlapping {
+        let rate = rates(graph, &dynamics.complement, accelerations, &dynamics.bias);
+        let c = c(graph, simplifier, &all);
+        let r: Vec<Expr> = (0..n).map(|i| residual(graph, &dynamics.inertia, &dynamics.forces, &rate, i)).collect();
         return Some(solve(graph, simplifier, &c, &r));
     }
-    let rate = rates(graph, &dynamics.complement, accelerations, &dynamics.bias);
-    let gradients: Vec<Vec<Expr>> =
-        kept.iter().map(|i| to_state(graph, carriers, tangent, &rows[*i].gradient)).collect();
-    let c = Matrix::from_rows(gradients, n).map(|entries| entries.iter().map(|e| simplifier.one(graph, *e)).collect());
-    let residual: Vec<Expr> = (0..n).map(|i| residual(graph, &dynamics.inertia, &dynamics.forces, &rate, i)).collect();
-    Some(solve(graph, simplifier, &c, &residual))
+    // Rows that bind the carriers: the configuration's own reactions do no work there and drop out.
+    let mut found = among_carriers(graph, simplifier, motion);
+    let absorbed: Vec<usize> = all.into_iter().filter(|p| !tangent.rows.contains(p)).collect();
+    let mut multipliers = vec![graph.zero(); m];
+    tangent.rows.iter().zip(&found.multipliers).for_each(|(p, lambda)| multipliers[*p] = *lambda);
+    if !absorbed.is_empty() {
+        // Rows that the configuration satisfies carry what is left in the initial space.
+        let rate = rates(graph, &dynamics.complement, accelerations, &dynamics.bias);
+        let carried = c(graph, simplifier, &tangent.rows).transpose().mul_vec(graph, &found.multipliers);
+        let r: Vec<Expr> = (0..n)
+            .map(|i| {
+                let total = residual(graph, &dynamics.inertia, &dynamics.forces, &rate, i);
+                graph.sub(total, carried[i])
+            })
+            .collect();
+        let c = c(graph, simplifier, &absorbed);
+        let rest = solve(graph, simplifier, &c, &r);
+        absorbed.iter().zip(&rest.multipliers).for_each(|(p, lambda)| multipliers[*p] = *lambda);
+        found.pivots.extend(rest.pivots);
+    }
+    Some(Reactions { multipliers, pivots: found.pivots })
+}
+
+/// λ of the rows that bind the carriers, from M1 ẇ - h1 = C2ᵀ λ.
+fn among_carriers(graph: &mut Graph, simplifier: &mut dyn Simplifier, motion: Motion<'_>) -> Reactions {
+    let Motion { carriers, tangent, dynamics, accelerations } = motion;
+    let rate = rates(graph, &tangent.complement, accelerations, &tangent.bias);
+    let (inertia, forces) = (&dynamics.carrier_inertia, &dynamics.carrier_forces);
+    let Some(elimination) = &tangent.elimination else {
+        let c = tangent.gradients.map(|entries| to_state(graph, carriers, tangent, entries));
+        let r: Vec<Expr> = (0..c.columns()).map(|i| residual(graph, inertia, forces, &rate, i)).collect();
+        return solve(graph, simplifier, &c, &r);
+    };
+    let mut at_pivots = Vec::with_capacity(elimination.pivots.len());
+    for j in &elimination.pivots {
+        let r = residual(graph, inertia, forces, &rate, *j);
+        at_pivots.push(simplifier.one(graph, r));
+    }
+    let inverse = elimination.inverse.map(|entries| to_state(graph, carriers, tangent, entries));
+    Reactions { multipliers: inverse.transpose().mul_vec(graph, &at_pivots), pivots: Vec::new() }
 }
 
 /// Dᵀ u̇ + a.

@@ -47,6 +47,8 @@ pub struct Tangent {
     pub rows: Vec<usize>,
     /// These rows of C in terms of the carriers, one column a carrier.
     pub gradients: Matrix,
+    /// Whether further rows bind the carriers, but repeat these there.
+    pub overlapping: bool,
     /// How they were eliminated; `None` where the user gave D.
     pub elimination: Option<Elimination>,
     /// Pivots of this stage, in terms of the state.
@@ -114,15 +116,16 @@ struct CarriedRow {
     bias: Expr,
 }
 
-/// The rows that still bind the carriers. Rows that the configuration satisfies are gone; one that it makes impossible
-/// is an error.
+/// The rows that still bind the carriers, and whether some of them repeated others. Rows that the configuration
+/// satisfies are gone; one that it makes impossible is an error.
 fn carried(
     system: &mut InitialSystem,
+    simplifier: &mut dyn Simplifier,
     rows: &[DifferentiatedRow],
     kept: &[usize],
     carriers: &Carriers,
     errors: &mut Diagnostics,
-) -> Vec<CarriedRow> {
+) -> (Vec<CarriedRow>, bool) {
     let graph = &mut system.graph;
     let zero = graph.zero();
     let at_rest: Vec<(Symbol, Expr)> = carriers.speeds.iter().map(|w| (*w, zero)).collect();
@@ -131,6 +134,7 @@ fn carried(
     let mut carried = Vec::new();
     for (position, velocity) in velocities.into_iter().enumerate() {
         let row = &rows[kept[position]];
+        let velocity = if carriers.map.is_empty() { velocity } else { simplifier.one(graph, velocity) };
         let gradient: Vec<Expr> = graph
             .jacobian(&[velocity], &carriers.speeds)
             .row(0)
@@ -147,18 +151,17 @@ fn carried(
         let bias = graph.along(&[velocity], &carriers.motion)[0];
         carried.push(CarriedRow { row: position, gradient, offset, bias });
     }
+    let all = carried.len();
     if carriers.partial_velocities.is_some() {
         // Rows that were independent in v may repeat each other once the configuration has taken its share.
         let gradients: Vec<Vec<Expr>> = carried.iter().map(|row| row.gradient.clone()).collect();
-        let order: Vec<usize> = (0..carried.len()).collect();
+        let order: Vec<usize> = (0..all).collect();
         let keep = independent(&system.graph, &gradients, &order);
-        let mut position = 0;
-        carried.retain(|_| {
-            position += 1;
-            keep.contains(&(position - 1))
-        });
+        let mut position = 0..all;
+        carried.retain(|_| position.next().is_some_and(|i| keep.contains(&i)));
     }
-    carried
+    let overlapping = carried.len() < all;
+    (carried, overlapping)
 }
 
 /// The tangent basis among the carriers: the user's complement, or by elimination.
@@ -170,12 +173,13 @@ pub fn tangent(
     carriers: &Carriers,
     errors: &mut Diagnostics,
 ) -> Option<Tangent> {
-    let carried = carried(system, rows, kept, carriers, errors);
+    let (carried, overlapping) = carried(system, simplifier, rows, kept, carriers, errors);
     if !errors.is_empty() {
         return None;
     }
     if system.complement.is_some() {
-        return given(system, simplifier, rows, kept, &carried, carriers, errors);
+        let given = given(system, simplifier, rows, kept, &carried, carriers, errors);
+        return given.map(|tangent| Tangent { overlapping, ..tangent });
     }
     let independent = chosen(system, carriers, carried.len(), errors)?;
     let by_user = independent.is_some();
@@ -235,7 +239,18 @@ pub fn tangent(
     let pivots = elimination.values.clone();
     let rows = carried.iter().map(|row| row.row).collect();
     let elimination = Some(elimination);
-    Some(Tangent { speeds, complement, map, bias: dependent, rows, gradients: c, elimination, pivots, note })
+    Some(Tangent {
+        speeds,
+        complement,
+        map,
+        bias: dependent,
+        rows,
+        gradients: c,
+        overlapping,
+        elimination,
+        pivots,
+        note,
+    })
 }
 
 /// The positions of the independent speeds that the user names, checked; `None` where the choice is ours.
@@ -345,7 +360,18 @@ fn given(
     let bias = bias.into_iter().map(|e| simplifier.one(graph, e)).collect();
     let gradients = Matrix::from_rows(carried.iter().map(|row| row.gradient.clone()).collect(), width);
     let rows = carried.iter().map(|row| row.row).collect();
-    Some(Tangent { speeds, complement, map, bias, rows, gradients, elimination: None, pivots, note: None })
+    Some(Tangent {
+        speeds,
+        complement,
+        map,
+        bias,
+        rows,
+        gradients,
+        overlapping: false,
+        elimination: None,
+        pivots,
+        note: None,
+    })
 }
 
 /// A particular solution of C v_p = -η, and what it divides by: with the pivots of C where they need no new guard, else

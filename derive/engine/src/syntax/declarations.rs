@@ -108,8 +108,8 @@ pub struct Speeds {
 pub enum Quantity {
     /// `v1`
     Name(Ident),
-    /// `dot(x)`; the span is that of `dot`.
-    Rate(Ident, Span),
+    /// `dot(x)`, and where it stands.
+    Rate(Ident, Place),
 }
 
 impl Quantity {
@@ -120,11 +120,20 @@ impl Quantity {
         }
     }
 
-    /// From `dot` (or the name) to the name.
+    /// The name, or all of `dot(x)`.
     pub fn place(&self) -> Place {
         match self {
             Quantity::Name(ident) => ident.into(),
-            Quantity::Rate(ident, span) => Place::between(*span, ident.span()),
+            Quantity::Rate(_, place) => *place,
+        }
+    }
+}
+
+impl std::fmt::Display for Quantity {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Quantity::Name(ident) => write!(formatter, "{ident}"),
+            Quantity::Rate(ident, _) => write!(formatter, "dot({ident})"),
         }
     }
 }

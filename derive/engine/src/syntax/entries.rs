@@ -117,7 +117,10 @@ pub(crate) fn quantity(tokens: &[TokenTree], place: Place, diagnostics: &mut Dia
         {
             let inner: Vec<TokenTree> = group.stream().into_iter().collect();
             match inner.as_slice() {
-                [token] => Some(Quantity::Rate(ident(token, diagnostics)?, dot.span())),
+                [token] => {
+                    let place = Place::between(dot.span(), group.span_close());
+                    Some(Quantity::Rate(ident(token, diagnostics)?, place))
+                }
                 _ => {
                     diagnostics.report(group.span(), messages::quantity_expected());
                     None

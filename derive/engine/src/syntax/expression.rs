@@ -91,14 +91,6 @@ impl Expression {
     pub fn place(&self) -> Place {
         self.place
     }
-
-    /// The whole expression, where it is a single name.
-    pub fn as_name(&self) -> Option<&str> {
-        match self.terms.as_slice() {
-            [(Term::Name(name), _)] => Some(name),
-            _ => None,
-        }
-    }
 }
 
 pub(crate) fn is_punct(token: &TokenTree, character: char) -> bool {

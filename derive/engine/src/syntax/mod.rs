@@ -15,7 +15,7 @@ mod read;
 mod refusal;
 mod statements;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use proc_macro2::TokenStream;
 

@@ -1,6 +1,6 @@
 //! The names of the statements, and the attribute names that are nobody's mistake.
 
-use super::diagnostics::nearest;
+use super::diagnostics::{distance, nearest};
 
 /// The statements that stand on the struct.
 pub const STATEMENTS: &[&str] = &[
@@ -89,10 +89,12 @@ const FOREIGN: &[&str] = &[
     "warn",
 ];
 
-/// The statement that an attribute of this name was probably meant to be.
+/// The statement that an attribute of this name was probably meant to be. Attributes of other macros must pass, so
+/// the measure is stricter than for names of the model's own.
 pub(crate) fn misspelt(attribute: &str) -> Option<&'static str> {
     if FOREIGN.contains(&attribute) {
         return None;
     }
-    nearest(attribute, helper_attributes())
+    let allowed = (attribute.chars().count() / 3).max(1);
+    nearest(attribute, helper_attributes()).filter(|meant| distance(attribute, meant) <= allowed)
 }

@@ -186,7 +186,7 @@ messages! {
     function_as_name(name) =
         "`{name}` is a function and needs an argument, such as `{name}(x)`";
     wrong_number_of_arguments(function, expected, found) =
-        "`{function}` takes {expected} argument(s), not {found}";
+        "`{function}` takes {expected}, not {found}";
     exponent(most) =
         "the exponent of `powi` is an integer between -{most} and {most}; use `sqrt` or `exp` and `ln` for other powers";
     division_by_zero() =
@@ -228,8 +228,10 @@ messages! {
         "the kinematics leave out {names}";
     kinematics_not_linear(variables, variable, derivative) =
         "the kinematics must be linear in the {variables}, but the coefficient of `{variable}` here is `{derivative}`";
-    kinematics_not_invertible(combination) =
-        "the kinematics cannot be inverted: their right sides cancel in `{combination}`";
+    kinematics_mixed() =
+        "the kinematics give some speeds and some rates; give all speeds, or all rates `dot(x)`";
+    kinematics_not_invertible(combination, variables) =
+        "the kinematics cannot be inverted: `{combination}` does not depend on the {variables}";
     kinematics_disagree(row, column, found) =
         "the two directions do not fit together: substituting the rates, \
          `{row}` gets the coefficient `{found}` of `{column}`";
@@ -278,4 +280,9 @@ messages! {
         "`{name}` has a value already";
     nominal_of_no_scalar(name) =
         "the field `{name}` is no parameter; `nominal` needs `f64` or a type parameter";
+}
+
+/// `1 entry`, `2 entries`
+pub(crate) fn counted(number: usize, one: &str, many: &str) -> String {
+    format!("{number} {}", if number == 1 { one } else { many })
 }

@@ -8,8 +8,8 @@ mod suggest;
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
-pub(crate) use suggest::did_you_mean;
 pub use suggest::nearest;
+pub(crate) use suggest::{did_you_mean, distance};
 
 /// A stretch of source: from the first token to the last.
 #[derive(Clone, Copy, Debug)]

@@ -29,7 +29,7 @@ pub(crate) fn did_you_mean(candidate: Option<&str>) -> String {
 
 /// Edit distance with insertions, deletions, substitutions and swaps of neighbours, one each
 /// (optimal string alignment).
-fn distance(a: &str, b: &str) -> usize {
+pub(crate) fn distance(a: &str, b: &str) -> usize {
     let a: Vec<char> = a.chars().collect();
     let b: Vec<char> = b.chars().collect();
     // Rows i-2, i-1 and i of the table.

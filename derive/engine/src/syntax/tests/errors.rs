@@ -237,6 +237,8 @@ fn attributes_of_others_are_passed_over() {
         #[builder(default)]
         #[path::to::coordinate(x)]
         #[non_exhaustive]
+        #[state]
+        #[display(\"x\")]
         struct Model { #[serde(skip)] #[validate] a: f64 }";
     assert_eq!(errors(source), [""; 0]);
 }

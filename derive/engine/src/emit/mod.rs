@@ -1,0 +1,25 @@
+//! From programs to tokens. Decides nothing.
+//!
+//! | file | idea |
+//! |---|---|
+//! | [`target`] | what the user's struct gives |
+//! | [`shape`] | the names and sizes of the emitted types |
+//! | [`types`] | the emitted structs |
+//! | [`text`] | function bodies as text |
+//! | [`functions`] | the functions of the trait |
+//! | [`description`] | `MODEL`, and the equations as text |
+//! | [`system`] | the implementation of the trait |
+
+pub mod description;
+pub mod functions;
+pub mod shape;
+pub mod system;
+pub mod target;
+#[cfg(test)]
+mod tests;
+pub mod text;
+pub mod types;
+
+pub use shape::Known;
+pub use system::{diverging, implementation};
+pub use target::{Declared, Target};

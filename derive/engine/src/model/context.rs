@@ -1,0 +1,37 @@
+//! What may occur where.
+
+use super::names::Mentions;
+use crate::syntax::messages;
+
+/// What an expression may mention, by where it stands, and the rule as a clause of a message.
+#[derive(Clone, Copy)]
+pub(super) struct Context {
+    pub allowed: Mentions,
+    pub rule: &'static str,
+}
+
+const PLACE: Mentions = Mentions::PARAMETERS.and(Mentions::TIME).and(Mentions::COORDINATES);
+
+impl Context {
+    pub const SPEEDS: Context = Context { allowed: PLACE.and(Mentions::RATES), rule: messages::RULE_SPEEDS };
+    pub const RATES: Context = Context { allowed: PLACE.and(Mentions::SPEEDS), rule: messages::RULE_RATES };
+    pub const INERTIA: Context = Context { allowed: PLACE, rule: messages::RULE_INERTIA };
+    pub const POTENTIAL: Context = Context { allowed: PLACE, rule: messages::RULE_POTENTIAL };
+    pub const FORCES: Context = Context {
+        allowed: PLACE.and(Mentions::SPEEDS).and(Mentions::RATES).and(Mentions::INPUTS),
+        rule: messages::RULE_FORCES,
+    };
+    pub const CONSTRAINT: Context =
+        Context { allowed: PLACE.and(Mentions::SPEEDS).and(Mentions::RATES), rule: messages::RULE_CONSTRAINT };
+    pub const CONFIGURATION: Context =
+        Context { allowed: PLACE.and(Mentions::FURTHER), rule: messages::RULE_CONFIGURATION };
+    pub const COMPLEMENT: Context = Context { allowed: PLACE, rule: messages::RULE_COMPLEMENT };
+    pub const COMPLEMENT_OF_RATES: Context =
+        Context { allowed: PLACE.and(Mentions::FURTHER), rule: messages::RULE_COMPLEMENT };
+    pub const NUMBER: Context = Context { allowed: Mentions::NONE, rule: messages::RULE_NUMBER };
+    /// Where a define is used decides, not where it stands.
+    pub const DEFINE: Context = Context {
+        allowed: PLACE.and(Mentions::FURTHER).and(Mentions::SPEEDS).and(Mentions::RATES).and(Mentions::INPUTS),
+        rule: "",
+    };
+}

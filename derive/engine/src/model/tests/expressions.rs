@@ -1,0 +1,111 @@
+//! Errors inside expressions, each at its token.
+
+use super::errors::of;
+
+#[test]
+fn every_message_about_an_expression() {
+    let table: &[(&str, &[&str])] = &[
+        (r#"#[forces(xx, 0)]"#, &["1:10 `xx`: cannot find `xx` in this model; did you mean `x`?"]),
+        (
+            r#"#[coordinates(theta, phi)] #[forces(thetta, Phi)]"#,
+            &[
+                "1:37 `thetta`: cannot find `thetta` in this model; did you mean `theta`?",
+                "1:45 `Phi`: cannot find `Phi` in this model; did you mean `phi`?",
+            ],
+        ),
+        (
+            r#"#[forces(track, 0)]"#,
+            &["1:10 `track`: the field `track` has the type `String`; equations need `f64` or a type parameter"],
+        ),
+        (
+            r#"#[forces(dot_x, 0)]"#,
+            &["1:10 `dot_x`: cannot find `dot_x` in this model; the rate of `x` is written `dot(x)`"],
+        ),
+        (
+            r#"#[forces(N, O)]"#,
+            &[
+                "1:10 `N`: `N` stands for the inertial frame, which is not supported yet",
+                "1:13 `O`: `O` stands for the origin, which is not supported yet",
+            ],
+        ),
+        (
+            r#"#[forces(sin, cos(x, y))]"#,
+            &[
+                "1:10 `sin`: `sin` is a function and needs an argument, such as `sin(x)`",
+                "1:15 `cos`: `cos` takes 1 argument, not 2",
+            ],
+        ),
+        (
+            r#"#[forces(sine(x), log(x))]"#,
+            &[
+                "1:10 `sine`: there is no function `sine`; did you mean `sin`?",
+                "1:19 `log`: there is no function `log`; did you mean `ln`?",
+            ],
+        ),
+        (
+            r#"#[forces(x(2), m(y + 1))]"#,
+            &[
+                "1:10 `x`: `x` is a coordinate, not a function; write `*` to multiply",
+                "1:16 `m`: `m` is a field, not a function; write `*` to multiply",
+            ],
+        ),
+        (
+            r#"#[forces(foo(x), atan2(y))]"#,
+            &["1:10 `foo`: there is no function `foo`", "1:18 `atan2`: `atan2` takes 2 arguments, not 1"],
+        ),
+        (r#"#[forces(1/0, 1/(x - x))]"#, &["1:11 `/`: division by zero", "1:16 `/`: division by zero"]),
+        (
+            r#"#[forces(1/(powi(sin(x), 2) + powi(cos(x), 2) - 1), powi(x - x, -1))]"#,
+            &["1:11 `/`: division by zero", "1:53 `powi`: division by zero"],
+        ),
+        (
+            r#"#[forces(powi(x, y), powi(x, 1/2))]"#,
+            &[
+                "1:10 `powi`: the exponent of `powi` is an integer between -999 and 999; use `sqrt` or `exp` and `ln` for other powers",
+                "1:22 `powi`: the exponent of `powi` is an integer between -999 and 999; use `sqrt` or `exp` and `ln` for other powers",
+            ],
+        ),
+        (
+            r#"#[forces(powi(x, 1000), powi(x, 2 - 3))]"#,
+            &[
+                "1:10 `powi`: the exponent of `powi` is an integer between -999 and 999; use `sqrt` or `exp` and `ln` for other powers",
+            ],
+        ),
+        (
+            r#"#[forces(sqrt(-1), ln(0))]"#,
+            &["1:10 `sqrt`: `sqrt` has no real value here", "1:20 `ln`: `ln` has no real value here"],
+        ),
+        (
+            r#"#[forces(atan2(0, 0), ln(-2))]"#,
+            &["1:10 `atan2`: `atan2` has no real value here", "1:23 `ln`: `ln` has no real value here"],
+        ),
+        (
+            r#"#[forces(dot(x*y), dot(m))]"#,
+            &[
+                "1:10 `dot`: `dot` takes the name of a coordinate; apply the chain rule, or make the expression a coordinate",
+                "1:20 `dot`: `m` is a field; `dot` takes the name of a coordinate",
+            ],
+        ),
+        (
+            r#"#[forces(dot(x, y), dot(q))]"#,
+            &[
+                "1:10 `dot`: `dot` with two arguments is the scalar product of vectors, which is not supported yet",
+                "1:25 `q`: cannot find `q` in this model",
+            ],
+        ),
+        (
+            r#"#[forces(ddot(x), dot(dot(x)))]"#,
+            &[
+                "1:10 `ddot`: `ddot(x)` is an acceleration; acceleration-level equations are not supported yet",
+                "1:19 `dot`: the rate of a rate is an acceleration; acceleration-level equations are not supported yet",
+            ],
+        ),
+        (
+            r#"#[forces(dot(), ddot(x, y))]"#,
+            &["1:10 `dot`: `dot` takes 1 argument, not 0", "1:17 `ddot`: `ddot` takes 1 argument, not 2"],
+        ),
+    ];
+    for (statements, expected) in table {
+        assert_eq!(of(statements), *expected, "{statements}");
+    }
+}

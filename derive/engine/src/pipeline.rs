@@ -1,0 +1,145 @@
+//! The steps in order, from tokens to tokens.
+
+use crate::projection::{Equations, Simplifier, guards, project};
+use crate::simplify;
+use crate::symbolic::{Expr, Graph};
+use crate::syntax::{Declarations, Diagnostics};
+use crate::target::{known, target};
+use crate::{emit, model, program, syntax};
+use proc_macro2::TokenStream;
+
+/// A model that has been read, checked and projected.
+#[derive(Clone, Debug)]
+pub struct Analysis {
+    /// What the model says.
+    pub declarations: Declarations,
+    /// What follows from it, in the cheapest forms found.
+    pub equations: Equations,
+}
+
+/// A step of the derive, for those who watch it.
+#[derive(Copy, Clone, PartialEq, Eq, Debug)]
+pub enum Step {
+    /// Tokens to declarations.
+    Syntax,
+    /// Declarations to the initial system.
+    Model,
+    /// The initial system to the equations of motion.
+    Projection,
+    /// The equations to cheaper ones.
+    Simplification,
+    /// The equations to straight-line programs.
+    Program,
+    /// The programs to tokens.
+    Emission,
+}
+
+/// Called after each step with the number of expressions, operations or tokens that it left.
+pub type Observer<'a> = &'a mut dyn FnMut(Step, usize);
+
+/// The derive: an implementation of the model, or its errors beside an implementation that diverges.
+pub fn expand(input: TokenStream) -> TokenStream {
+    expand_observed(input, &mut |_, _| {})
+}
+
+/// [`expand`], watched.
+pub fn expand_observed(input: TokenStream, after: Observer<'_>) -> TokenStream {
+    let (declarations, diagnostics) = syntax::read(input);
+    let Some(declarations) = declarations else { return diagnostics.into_tokens() };
+    after(Step::Syntax, 0);
+    emitted(&declarations, diagnostics, after).unwrap_or_else(|errors| {
+        // The types are there all the same, so that only the model's own errors show.
+        let mut tokens = errors.into_tokens();
+        tokens.extend(emit::diverging(&target(&declarations, None), &known(&declarations)));
+        tokens
+    })
+}
+
+fn emitted(
+    declarations: &Declarations,
+    diagnostics: Diagnostics,
+    after: Observer<'_>,
+) -> Result<TokenStream, Diagnostics> {
+    let equations = equations(declarations, diagnostics, after)?;
+    let programs = program::programs(&equations).map_err(|unbound| {
+        let mut errors = Diagnostics::new();
+        let message = format!(
+            "internal error: `{}` of this model depends on `{}`, which it cannot know; please report the model",
+            unbound.function, unbound.symbol
+        );
+        errors.report(&declarations.ident, message);
+        errors
+    })?;
+    after(Step::Program, programs.functions.iter().map(|f| f.count.weight()).sum());
+    let tokens = emit::implementation(&target(declarations, Some(&equations)), &equations, &programs);
+    after(Step::Emission, tokens.clone().into_iter().count());
+    Ok(tokens)
+}
+
+/// Reads, checks and projects a model without emitting it.
+///
+/// # Errors
+///
+/// Everything that is wrong with the model, at its tokens.
+pub fn analyse(input: TokenStream) -> Result<Analysis, Diagnostics> {
+    let (declarations, diagnostics) = syntax::read(input);
+    match declarations {
+        Some(declarations) => {
+            let equations = equations(&declarations, diagnostics, &mut |_, _| {})?;
+            Ok(Analysis { declarations, equations })
+        }
+        None => Err(diagnostics),
+    }
+}
+
+/// From declarations to simplified equations. Declarations with errors of form are checked further where the rest can
+/// be understood, so that all errors come at once.
+fn equations(
+    declarations: &Declarations,
+    mut diagnostics: Diagnostics,
+    after: Observer<'_>,
+) -> Result<Equations, Diagnostics> {
+    if !declarations.complete {
+        return Err(diagnostics);
+    }
+    let system = match model::build(declarations) {
+        Ok(system) => diagnostics.result(system)?,
+        Err(more) => {
+            diagnostics.extend(more);
+            return Err(diagnostics);
+        }
+    };
+    after(Step::Model, system.graph.len());
+    let mut forms = Forms;
+    let mut equations = project(system, &mut forms)?;
+    after(Step::Projection, equations.graph.len());
+    if declarations.options.simplify {
+        cheapen(&mut equations, &mut forms);
+    }
+    guards::add_parameter_divisors(&mut equations);
+    after(Step::Simplification, equations.graph.len());
+    Ok(equations)
+}
+
+/// Replaces every group of expressions that is computed together by its cheapest form.
+fn cheapen(equations: &mut Equations, forms: &mut Forms) {
+    let mut graph = std::mem::take(&mut equations.graph);
+    for group in equations.groups() {
+        let roots: Vec<Expr> = group.iter().map(|e| **e).collect();
+        let cheaper = forms.all(&mut graph, &roots);
+        group.into_iter().zip(cheaper).for_each(|(e, new)| *e = new);
+    }
+    equations.graph = graph;
+}
+
+/// The simplifier as the projection sees it.
+struct Forms;
+
+impl Simplifier for Forms {
+    fn one(&mut self, graph: &mut Graph, e: Expr) -> Expr {
+        simplify::normalise(graph, e)
+    }
+    fn all(&mut self, graph: &mut Graph, roots: &[Expr]) -> Vec<Expr> {
+        roots.iter().map(|e| simplify::normalise(graph, *e)).collect()
+    }
+}

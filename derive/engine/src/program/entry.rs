@@ -1,0 +1,187 @@
+//! The functions of a model: what they read, what they return and which law they express.
+
+use crate::projection::Equations;
+use crate::symbolic::{Expr, Matrix};
+
+/// What a function reads besides the prepared values and the time.
+#[derive(Copy, Clone, PartialEq, Eq, Debug)]
+pub enum Arguments {
+    /// The state.
+    State,
+    /// The state and the inputs.
+    StateInputs,
+    /// The initial coordinates x.
+    Coordinates,
+    /// x and the initial velocities v.
+    CoordinatesVelocities,
+    /// x, v and the inputs.
+    CoordinatesVelocitiesInputs,
+    /// The parameters alone: the work of `prepare`.
+    Parameters,
+}
+
+/// How a group of results is packed.
+#[derive(Copy, Clone, PartialEq, Eq, Debug)]
+pub enum Shape {
+    /// The state's struct.
+    State,
+    /// The struct of the initial velocities.
+    Velocities,
+    /// The struct of the multipliers.
+    Multipliers,
+    /// An array.
+    Array(usize),
+    /// A matrix, row by row.
+    Matrix(usize, usize),
+    /// One number.
+    Scalar,
+    /// One number, or nothing where the model does not give it.
+    Optional(bool),
+}
+
+/// A group of results.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Output {
+    /// How it is packed.
+    pub shape: Shape,
+    /// The expressions, in order.
+    pub roots: Vec<Expr>,
+    /// A name for each of them.
+    pub labels: Vec<String>,
+}
+
+/// One function of a model.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Entry {
+    /// The function's name.
+    pub name: &'static str,
+    /// What it reads.
+    pub arguments: Arguments,
+    /// What it returns: one group, or a tuple of groups.
+    pub outputs: Vec<Output>,
+    /// The law, with its number in the paper.
+    pub law: &'static str,
+}
+
+impl Entry {
+    /// All results in order.
+    pub fn roots(&self) -> Vec<Expr> {
+        self.outputs.iter().flat_map(|o| o.roots.iter().copied()).collect()
+    }
+
+    /// The names of all results in order, and whether a description says more: an entry of a matrix or a guard is
+    /// only a place.
+    pub fn labels(&self) -> Vec<(&str, bool)> {
+        let weak =
+            |o: &Output| matches!(o.shape, Shape::Matrix(..)) || o.labels.iter().all(|l| l.starts_with("guard_"));
+        self.outputs.iter().flat_map(|o| o.labels.iter().map(move |l| (l.as_str(), weak(o)))).collect()
+    }
+}
+
+/// Every function of the model, in the order of the trait.
+pub fn entries(equations: &Equations) -> Vec<Entry> {
+    let e = equations;
+    let name = |s: &crate::symbolic::Symbol| e.graph.name(*s).to_owned();
+    let state: Vec<String> = e.state_coordinates.iter().chain(&e.state_speeds).map(name).collect();
+    let u: Vec<String> = e.state_speeds.iter().map(name).collect();
+    let x: Vec<String> = e.coordinates.iter().map(name).collect();
+    let v: Vec<String> = e.speeds.iter().map(name).collect();
+    let prefixed = |prefix: &str, names: &[String]| -> Vec<String> {
+        names.iter().map(|n| if prefix.is_empty() { n.clone() } else { format!("{prefix}_{n}") }).collect()
+    };
+    let array = |roots: &[Expr], labels: Vec<String>| Output {
+        shape: Shape::Array(roots.len()),
+        roots: roots.to_vec(),
+        labels,
+    };
+    let rates: Vec<Expr> = e.coordinate_rates.iter().chain(&e.accelerations).copied().collect();
+    let guards = || {
+        let roots: Vec<Expr> = e.guards.iter().map(|g| g.expr).collect();
+        let labels = (1..=roots.len()).map(|i| format!("guard_{i}")).collect();
+        array(&roots, labels)
+    };
+    let mass = || matrix(&e.mass_matrix, "m");
+    let forcing = || array(&e.forcing, prefixed("h", &u));
+    let accelerations = || array(&e.accelerations, rates_of(&u));
+    let velocities = |roots: &[Expr], labels| Output { shape: Shape::Velocities, roots: roots.to_vec(), labels };
+    use Arguments::{Coordinates, CoordinatesVelocities, CoordinatesVelocitiesInputs, State, StateInputs};
+    let one = |name, arguments, law, output| Entry { name, arguments, law, outputs: vec![output] };
+    let two = |name, arguments, law, a, b| Entry { name, arguments, law, outputs: vec![a, b] };
+    let multipliers = Output {
+        shape: Shape::Multipliers,
+        roots: e.multipliers.clone(),
+        labels: prefixed("lambda", &e.multiplier_names),
+    };
+    let potential = Output {
+        shape: Shape::Optional(e.potential_energy.is_some()),
+        roots: e.potential_energy.into_iter().collect(),
+        labels: e.potential_energy.iter().map(|_| "potential".to_owned()).collect(),
+    };
+    let kinetic = Output { shape: Shape::Scalar, roots: vec![e.kinetic_energy], labels: vec!["kinetic".to_owned()] };
+    let derivative = Output { shape: Shape::State, roots: rates, labels: rates_of(&state) };
+    vec![
+        two(
+            "derivative",
+            StateInputs,
+            "The state's rate: ẋ = A v + a0 (2.1), (5.7), then u̇ from M_d u̇ = h_u* (4.10), (5.6); and the guards.",
+            derivative,
+            guards(),
+        ),
+        one("accelerations", StateInputs, "u̇, the solution of M_d u̇ = h_u* (4.10), (5.6).", accelerations()),
+        one("mass_matrix", State, "M_d = D M Dᵀ (4.10).", mass()),
+        one("forcing", StateInputs, "h_u* = D (h* − M a_u) (4.10), (5.6).", forcing()),
+        two("mass_matrix_and_forcing", StateInputs, "M_d and h_u* of M_d u̇ = h_u* (4.10), (5.6).", mass(), forcing()),
+        one("coordinates", State, "x of the state (4.2).", array(&e.initial_coordinates, x.clone())),
+        one("velocities", State, "v = Dᵀ u + v_p of the state (4.4), (5.3).", velocities(&e.velocities, v.clone())),
+        one("complement", State, "D, with D Cᵀ = 0 (3.1), (4.9).", matrix(&e.complement, "d")),
+        one(
+            "complement_bias",
+            State,
+            "a_u of v̇ = Dᵀ u̇ + a_u (4.5), (5.5).",
+            velocities(&e.complement_bias, prefixed("a", &v)),
+        ),
+        one("multipliers", StateInputs, "λ of M v̇ = h* + Cᵀ λ (2.8), (3.6), all constraints acting.", multipliers),
+        one("guards", State, "The figures that must keep their sign for the state to be a regular one.", guards()),
+        one("kinematic_matrix", Coordinates, "A of ẋ = A v + a0 (2.1).", matrix(&e.kinematic_matrix, "a")),
+        one("kinematic_bias", Coordinates, "a0 of ẋ = A v + a0 (2.1).", array(&e.kinematic_bias, prefixed("a0", &x))),
+        one("inertia", Coordinates, "M of M v̇ = h* (2.3).", matrix(&e.inertia, "m")),
+        one("forces", CoordinatesVelocitiesInputs, "h* of M v̇ = h* (2.3).", velocities(&e.forces, prefixed("h", &v))),
+        one("constraint_matrix", CoordinatesVelocities, "C of C v̇ + c0* = 0 (2.4).", matrix(&e.constraint_matrix, "c")),
+        one(
+            "constraint_bias",
+            CoordinatesVelocities,
+            "c0* of C v̇ + c0* = 0 (2.4), (2.6).",
+            array(&e.constraint_bias, prefixed("c0", &e.row_names)),
+        ),
+        one(
+            "position_residual",
+            Coordinates,
+            "f of the position constraints, left side minus right side.",
+            array(&e.position_residual, prefixed("f", &e.position_names)),
+        ),
+        one(
+            "velocity_residual",
+            CoordinatesVelocities,
+            "φ, or ḟ of a position constraint, for every row of C (2.5).",
+            array(&e.velocity_residual, prefixed("phi", &e.row_names)),
+        ),
+        one("kinetic_energy", CoordinatesVelocities, "½ vᵀ M v.", kinetic),
+        one("potential_energy", Coordinates, "The potential energy, where the model gives one.", potential),
+    ]
+}
+
+fn rates_of(names: &[String]) -> Vec<String> {
+    names.iter().map(|n| if n.starts_with("dot_") { format!("d{n}") } else { format!("dot_{n}") }).collect()
+}
+
+fn matrix(matrix: &Matrix, letter: &str) -> Output {
+    let (rows, columns) = (matrix.rows(), matrix.columns());
+    let wide = rows > 9 || columns > 9;
+    let labels = (0..rows * columns)
+        .map(|k| {
+            let (i, j) = (k / columns + 1, k % columns + 1);
+            if wide { format!("{letter}_{i}_{j}") } else { format!("{letter}_{i}{j}") }
+        })
+        .collect();
+    Output { shape: Shape::Matrix(rows, columns), roots: matrix.entries().to_vec(), labels }
+}

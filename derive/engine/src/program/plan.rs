@@ -1,0 +1,201 @@
+//! All programs of a model.
+
+use super::angles::Rests;
+use super::entry::{Arguments, Entry, entries};
+use super::layout::Layout;
+use super::lower::{Lowering, Manner};
+use super::names::{Namer, Names, quantity};
+use super::operation::{Code, Count, Leaf};
+use super::schedule::{Numbers, Registry, schedule};
+use super::share::share;
+use crate::projection::Equations;
+use crate::symbolic::{Expr, Graph, Symbol};
+use std::collections::BTreeMap;
+
+/// Above this many nodes only the factored form is tried.
+const BOTH_FORMS: usize = 4_000;
+/// Functions of at most this many operations are marked for inlining; larger ones would be compiled many times over.
+const INLINED: usize = 120;
+
+/// One function of the model as a program.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// What it reads and returns.
+    pub entry: Entry,
+    /// What it does.
+    pub code: Code,
+    /// How it is written down.
+    pub layout: Layout,
+    /// What it costs.
+    pub count: Count,
+    /// Whether it is small enough to be inlined.
+    pub inline: bool,
+}
+
+/// The work of `prepare`: quantities of parameters alone, shared by all functions.
+#[derive(Clone, Debug)]
+pub struct Values {
+    /// The prepared values as expressions of [`Programs::graph`]: the parameters, then the other quantities.
+    pub quantities: Vec<Expr>,
+    /// How many of them are parameters.
+    pub parameters: usize,
+    /// Gives the quantities behind the parameters, then the figures of the parameter guards.
+    pub code: Code,
+    /// How it is written down.
+    pub layout: Layout,
+    /// What it costs.
+    pub count: Count,
+}
+
+/// All programs of a model.
+#[derive(Clone, Debug)]
+pub struct Programs {
+    /// The arena of the quantities.
+    pub graph: Graph,
+    /// The work of `prepare`.
+    pub values: Values,
+    /// The functions, in the order of the trait.
+    pub functions: Vec<Program>,
+    /// Names of everything that is read.
+    pub names: Names,
+}
+
+impl Programs {
+    /// The function of that name.
+    pub fn function(&self, name: &str) -> Option<&Program> {
+        self.functions.iter().find(|p| p.entry.name == name)
+    }
+}
+
+/// A function that depends on a symbol which it cannot read: the equations are inconsistent.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Unbound {
+    /// The function.
+    pub function: &'static str,
+    /// The symbol's name.
+    pub symbol: String,
+}
+
+/// The programs of all functions of the model.
+pub fn programs(equations: &Equations) -> Result<Programs, Unbound> {
+    let mut graph = equations.graph.clone();
+    let mut names = Names::new(equations);
+    let mut registry = Registry::new(&graph.vars(&equations.parameters));
+    let mut rests = Rests::default();
+    let mut coded: Vec<(Entry, Code)> = Vec::new();
+    for entry in entries(equations) {
+        let code = function(&mut graph, &mut rests, equations, &entry, &mut registry)?;
+        coded.push((entry, code));
+    }
+    let values = prepare(&mut graph, equations, registry, &mut names)?;
+    let functions = coded
+        .into_iter()
+        .map(|(entry, code)| {
+            let layout = Layout::new(&code, &names, &entry.labels());
+            let count = code.count();
+            Program { entry, code, layout, count, inline: count.operations() <= INLINED }
+        })
+        .collect();
+    Ok(Programs { graph, values, functions, names })
+}
+
+/// The cheaper of two programs for one function: sums as they stand, and with common factors taken out.
+fn function(
+    graph: &mut Graph,
+    rests: &mut Rests,
+    equations: &Equations,
+    entry: &Entry,
+    registry: &mut Registry,
+) -> Result<Code, Unbound> {
+    let places = places(equations, entry.arguments);
+    let roots = entry.roots();
+    let place = |symbol: Symbol| places.get(&symbol).copied();
+    let forms: &[bool] = if graph.reachable(&roots).len() > BOTH_FORMS { &[true] } else { &[true, false] };
+    let mut best: Option<(Code, Registry)> = None;
+    for factor in forms {
+        let mut lowering = Lowering::new(graph, rests, Manner { numeric: false, factor: *factor });
+        let lowered = lowering.lower(&roots, &place);
+        let units = std::mem::take(&mut lowering.units);
+        let roots = lowered.map_err(|symbol| unbound(entry.name, equations, symbol))?;
+        let (code, used) = program(graph, units, &roots, registry.clone());
+        if best.as_ref().is_none_or(|(other, _)| code.count().weight() < other.count().weight()) {
+            best = Some((code, used));
+        }
+    }
+    let (code, used) = best.expect("one form at least");
+    *registry = used;
+    Ok(code)
+}
+
+fn program(graph: &Graph, mut units: super::unit::Units, roots: &[u32], mut registry: Registry) -> (Code, Registry) {
+    share(&mut units);
+    let code = schedule(&units, roots, graph, &mut registry);
+    (code, registry)
+}
+
+fn prepare(graph: &mut Graph, equations: &Equations, registry: Registry, names: &mut Names) -> Result<Values, Unbound> {
+    let quantities = registry.quantities;
+    let parameters = equations.parameters.len();
+    let places = places(equations, Arguments::Parameters);
+    let mut roots = quantities[parameters..].to_vec();
+    roots.extend(equations.parameter_guards.iter().map(|g| g.expr));
+    let mut rests = Rests::default();
+    let mut lowering = Lowering::new(graph, &mut rests, Manner { numeric: true, factor: true });
+    let lowered = lowering.lower(&roots, &|symbol| places.get(&symbol).copied());
+    let mut units = std::mem::take(&mut lowering.units);
+    let lowered = lowered.map_err(|symbol| unbound("values", equations, symbol))?;
+    share(&mut units);
+    let code = schedule(&units, &lowered, graph, &mut Numbers);
+    let mut namer = Namer::avoiding(names.values.iter().map(String::as_str));
+    for e in &quantities[parameters..] {
+        let name = match quantity(graph, *e) {
+            Some(text) => namer.unique(&text),
+            None => namer.numbered(),
+        };
+        names.values.push(name);
+    }
+    let guards: Vec<String> = (1..=equations.parameter_guards.len()).map(|i| format!("guard_{i}")).collect();
+    let fields = names.values[parameters..].iter().map(|n| (n.as_str(), false));
+    let labels: Vec<(&str, bool)> = fields.chain(guards.iter().map(|n| (n.as_str(), true))).collect();
+    let layout = Layout::new(&code, names, &labels);
+    let count = code.count();
+    Ok(Values { quantities, parameters, code, layout, count })
+}
+
+fn unbound(function: &'static str, equations: &Equations, symbol: Symbol) -> Unbound {
+    Unbound { function, symbol: equations.graph.name(symbol).to_owned() }
+}
+
+/// What a function with these arguments can read.
+fn places(equations: &Equations, arguments: Arguments) -> BTreeMap<Symbol, Leaf> {
+    let e = equations;
+    let mut places = BTreeMap::new();
+    let mut add = |symbols: &[Symbol], leaf: fn(usize) -> Leaf| {
+        for (index, symbol) in symbols.iter().enumerate() {
+            places.insert(*symbol, leaf(index));
+        }
+    };
+    let pi = e.graph.pi_symbol();
+    let inputs = matches!(arguments, Arguments::StateInputs | Arguments::CoordinatesVelocitiesInputs);
+    match arguments {
+        Arguments::Parameters => {
+            add(&e.parameters, Leaf::Parameter);
+            add(&[pi], |_| Leaf::Pi);
+            return places;
+        }
+        Arguments::State | Arguments::StateInputs => {
+            add(&e.state_coordinates, Leaf::StateCoordinate);
+            add(&e.state_speeds, Leaf::StateSpeed);
+        }
+        Arguments::Coordinates => add(&e.coordinates, Leaf::Coordinate),
+        Arguments::CoordinatesVelocities | Arguments::CoordinatesVelocitiesInputs => {
+            add(&e.coordinates, Leaf::Coordinate);
+            add(&e.speeds, Leaf::Speed);
+        }
+    }
+    if inputs {
+        add(&e.inputs, Leaf::Input);
+    }
+    add(&[e.time], |_| Leaf::Time);
+    places
+}

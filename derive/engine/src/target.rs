@@ -1,0 +1,81 @@
+//! What emission needs of the declarations.
+
+use crate::emit::{Declared, Known, Target};
+use crate::projection::Equations;
+use crate::syntax::{Declarations, Name, Quantity};
+use proc_macro2::Ident;
+
+/// The user's struct as emission sees it.
+pub fn target(declarations: &Declarations, equations: Option<&Equations>) -> Target {
+    let is_used = |field: &Ident| match equations {
+        Some(e) => e.parameters.iter().any(|p| e.graph.name(*p) == field.to_string()),
+        None => true,
+    };
+    let scalars = declarations.fields.iter().filter(|field| field.scalar);
+    let parameters: Vec<Ident> = scalars.map(|field| field.ident.clone()).filter(is_used).collect();
+    let speeds = declarations.speeds.iter().flat_map(|speeds| &speeds.names);
+    let further = declarations.configuration.iter().flat_map(|c| &c.further);
+    let names = declarations.coordinates.iter().chain(speeds).chain(further).chain(&declarations.inputs);
+    let mut declared: Vec<Declared> = names.map(|name| entry(&name.ident, &name.docs)).collect();
+    declared.extend(declarations.fields.iter().map(|field| entry(&field.ident, &field.docs)));
+    let rows = declarations.complement.iter().flat_map(|complement| &complement.rows);
+    declared.extend(rows.map(|row| entry(&row.name, &[])));
+    declared.extend(declarations.constraints.iter().map(|constraint| entry(&constraint.name, &[])));
+    Target {
+        ident: declarations.ident.clone(),
+        vis: declarations.vis.clone(),
+        generics: declarations.generics.clone(),
+        parameters,
+        declared,
+        krate: declarations.options.krate.clone(),
+    }
+}
+
+fn entry(ident: &Ident, docs: &[String]) -> Declared {
+    let docs = docs.iter().map(|line| syn::parse_quote!(#[doc = #line])).collect();
+    Declared { name: ident.to_string(), span: ident.span(), docs }
+}
+
+/// What a model with errors still tells of its types.
+pub fn known(declarations: &Declarations) -> Known {
+    let text = |names: &[Name]| -> Vec<String> { names.iter().map(|name| name.ident.to_string()).collect() };
+    let coordinates = text(&declarations.coordinates);
+    let rate = |name: &str| format!("dot_{name}");
+    let velocities = match &declarations.speeds {
+        Some(speeds) => text(&speeds.names),
+        None => coordinates.iter().map(|x| rate(x)).collect(),
+    };
+    let mut state = coordinates.clone();
+    if let Some(configuration) = &declarations.configuration {
+        state.retain(|x| configuration.map.iter().all(|given| given.name != x));
+        state.extend(text(&configuration.further));
+    }
+    let state_coordinates = state.len();
+    match (&declarations.complement, &declarations.independent) {
+        (Some(complement), _) => state.extend(complement.rows.iter().map(|row| row.name.to_string())),
+        (None, Some(independent)) => state.extend(independent.entries.iter().map(|entry| match entry {
+            Quantity::Name(name) => name.to_string(),
+            Quantity::Rate(name, _) => rate(&name.to_string()),
+        })),
+        (None, None) if declarations.configuration.is_some() => {
+            let rates: Vec<String> = state.iter().map(|q| rate(q)).collect();
+            state.extend(rates);
+        }
+        (None, None) => state.extend(velocities.clone()),
+    }
+    let mut seen = std::collections::BTreeSet::new();
+    state.retain(|name| seen.insert(name.clone()));
+    let scalars = declarations.fields.iter().filter(|field| field.scalar);
+    Known {
+        state_coordinates: state_coordinates.min(state.len()),
+        state,
+        coordinates,
+        velocities,
+        multipliers: declarations.constraints.iter().map(|constraint| constraint.name.to_string()).collect(),
+        inputs: text(&declarations.inputs),
+        parameters: scalars.map(|field| field.ident.to_string()).collect(),
+        guards: 0,
+        rows: declarations.constraints.len(),
+        position_rows: 0,
+    }
+}

@@ -1,2 +1,0 @@
-//! The rolling disk.
-fn main() {}
