@@ -5,7 +5,7 @@ mod oracle;
 mod random;
 mod support;
 
-use claims::evaluated::Evaluated;
+use claims::evaluated::{Evaluated, equations};
 use oracle::{System, check, closed, read_models};
 use random::{counted, generate};
 use support::splitmix::SplitMix;
@@ -21,11 +21,10 @@ fn random_systems_agree_with_the_oracle() {
     let (mut worst, mut compared) = (0.0_f64, 0);
     for model in &models {
         let declared = read_models(&model.source).remove(0);
-        let tokens = model.source.parse().expect("tokens");
-        let equations = match holonomy_engine::analyse(tokens) {
-            Ok(analysis) => analysis.equations,
+        let equations = match equations(&model.source) {
+            Ok(equations) => equations,
             Err(refusal) => {
-                failures.push(format!("{} was refused: {refusal:?}\n{}", model.name, model.source));
+                failures.push(format!("{} was refused: {refusal}\n{}", model.name, model.source));
                 continue;
             }
         };
@@ -37,7 +36,7 @@ fn random_systems_agree_with_the_oracle() {
                 (0..20).find_map(|_| closed(&system, t, &random.vector(declared.state_coordinates().len(), -1.0, 1.0)));
             let q = q.expect("the manifold is reached");
             let u = random.vector(equations.state_speeds.len(), -1.0, 1.0);
-            let evaluated = Evaluated { equations: &equations, parameters: &system.parameters, inputs: &system.inputs };
+            let evaluated = Evaluated { equations: &equations, system: &system };
             let report = check(&system, &evaluated.claim(t, &q, &u));
             worst = worst.max(report.worst);
             compared += report.compared;

@@ -1,9 +1,11 @@
 //! What the engine's equations claim at a state, by evaluating its expressions.
 
-use crate::oracle::{Claim, Dual, Multiplier, Number};
-use holonomy_engine::projection::Equations;
+use crate::oracle::{Claim, Dual, Multiplier, Number, System};
+use holonomy_engine::projection::{AsIs, Equations, project};
 use holonomy_engine::symbolic::{Algebra, Expr, Function, Matrix, Rational, Symbol};
+use holonomy_engine::{model, syntax};
 use nalgebra::DMatrix;
+use quote::ToTokens;
 use std::collections::BTreeMap;
 
 /// The oracle's numbers as an algebra of the engine.
@@ -39,14 +41,25 @@ impl<N: Number> Algebra for Over<N> {
     }
 }
 
+/// The equations of a model's source text, as they are before any simplification.
+///
+/// # Errors
+/// What the engine says about a model that it refuses.
+pub fn equations(source: &str) -> Result<Equations, String> {
+    let said = |d: syntax::Diagnostics| d.iter().map(|d| d.message.as_str()).collect::<Vec<_>>().join("; ");
+    let mut item: syn::ItemStruct = syn::parse_str(source).map_err(|e| e.to_string())?;
+    item.attrs.retain(|a| !a.path().is_ident("derive"));
+    let declarations = syntax::parse(item.into_token_stream()).map_err(said)?;
+    let system = model::build(&declarations).map_err(said)?;
+    project(system, &mut AsIs).map_err(said)
+}
+
 /// The engine's equations with numbers for parameters and inputs.
 pub struct Evaluated<'a> {
     /// The equations.
     pub equations: &'a Equations,
-    /// Parameters in their order.
-    pub parameters: &'a [f64],
-    /// Inputs in their order.
-    pub inputs: &'a [f64],
+    /// The declared model with its parameters and inputs.
+    pub system: &'a System<'a>,
 }
 
 impl Evaluated<'_> {
@@ -57,8 +70,13 @@ impl Evaluated<'_> {
         };
         let mut map =
             BTreeMap::from([(equations.graph.pi_symbol(), N::constant(std::f64::consts::PI)), (equations.time, t)]);
-        map.extend(constants(&equations.parameters, self.parameters));
-        map.extend(constants(&equations.inputs, self.inputs));
+        // fields that no equation uses are no parameters
+        let system = self.system;
+        let named =
+            |symbol: &Symbol| system.model.parameters.iter().position(|(p, _)| p == equations.graph.name(*symbol));
+        let used = equations.parameters.iter().map(|p| system.parameters[named(p).expect("a field")]);
+        map.extend(constants(&equations.parameters, &used.collect::<Vec<_>>()));
+        map.extend(constants(&equations.inputs, &system.inputs));
         for (symbols, values) in groups {
             map.extend(symbols.iter().copied().zip(values.iter().copied()));
         }

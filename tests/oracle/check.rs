@@ -126,23 +126,29 @@ impl Compared<'_> {
         report.fact(&format!("k = {k} instead of {}", motion.freedom), k == motion.freedom);
         report.fact("D has rank k", conditioned_rank(d).0 == k);
         let unit = UNIT * self.chart;
-        let product = d * rows.c.map(|e| e.value).transpose();
-        let sizes = d.abs() * rows.c.map(|e| e.size).transpose();
+        // D is known to rounding of the largest entry of each row
+        let d_size = row_sizes(&d.abs());
+        let (c, c_size) = (rows.c.map(|e| e.value), rows.c.map(|e| e.size));
+        let (product, sizes) = (d * c.transpose(), &d_size * c_size.transpose());
         for (i, (entry, size)) in product.iter().zip(sizes.iter()).enumerate() {
             report.number(&format!("D Cᵀ [{i}]"), *entry, 0.0, unit * size);
         }
         let a_u = DVector::from_column_slice(&claim.complement_bias);
-        let bias = rows.c.map(|e| e.value) * &a_u;
-        let bias_size = rows.c.map(|e| e.size) * a_u.abs() + rows.c0.map(|e| e.size);
-        report.bounded("C a_u", bias.as_slice(), &-rows.c0.map(|e| e.value), &(&bias_size * (unit * self.chart)));
+        let a_u_size = DVector::from_element(a_u.len(), a_u.amax());
+        let bias_size = &c_size * &a_u_size + rows.c0.map(|e| e.size);
+        report.bounded(
+            "C a_u",
+            (&c * &a_u).as_slice(),
+            &-rows.c0.map(|e| e.value),
+            &(&bias_size * (unit * self.chart)),
+        );
         let (m, m_size) = (dynamics.m.map(|e| e.value), dynamics.m.map(|e| e.size));
         let (h, h_size) = (dynamics.h.map(|e| e.value), dynamics.h.map(|e| e.size));
-        let reduced = d * &m * d.transpose();
-        let reduced_size = d.abs() * &m_size * d.abs().transpose();
+        let (reduced, reduced_size) = (d * &m * d.transpose(), &d_size * &m_size * d_size.transpose());
         for (i, (claimed, expected)) in claim.mass_matrix.iter().zip(reduced.iter()).enumerate() {
             report.number(&format!("M_d [{i}]"), *claimed, *expected, unit * reduced_size[i]);
         }
-        let forcing_size = d.abs() * (h_size + m_size * a_u.abs()) * (unit * self.chart);
+        let forcing_size = &d_size * (h_size + m_size * &a_u_size) * (unit * self.chart);
         report.bounded("h_u*", &claim.forcing, &(d * (h - m * &a_u)), &forcing_size);
         let u_dot = DVector::from_column_slice(&claim.accelerations);
         let balance = &claim.mass_matrix * &u_dot;
@@ -150,10 +156,18 @@ impl Compared<'_> {
         report.bounded("M_d u̇", balance.as_slice(), &DVector::from_column_slice(&claim.forcing), &balance_size);
     }
 
+    /// What rounding may do to v̇: in solving for it, and in adding Dᵀ u̇ and a_u.
+    fn acceleration_error(&self) -> DVector<f64> {
+        let claim = self.claim;
+        let terms = claim.complement.abs().transpose() * DVector::from_column_slice(&claim.accelerations).abs();
+        let terms = terms + DVector::from_column_slice(&claim.complement_bias).abs();
+        &self.motion.acceleration_error * self.chart.powi(2) + terms * (UNIT * self.chart)
+    }
+
     /// v̇ = Dᵀ u̇ + a_u is the solution of (2.8), it is the derivative of v, and C v̇ + c0* = 0.
     fn accelerations(&self, report: &mut Report) {
         let (claim, motion, rows) = (self.claim, &self.motion, &self.rows);
-        let error = &motion.acceleration_error * self.chart.powi(2);
+        let error = self.acceleration_error();
         let claimed = claim.acceleration();
         report.bounded("v̇", claimed.as_slice(), &motion.acceleration, &error);
         report.bounded("v̇ along the motion", &claim.velocity_rates, &motion.acceleration, &error);
@@ -166,7 +180,8 @@ impl Compared<'_> {
     /// Cᵀ λ = M v̇ − h*; its power along v; Gauss' principle: M v̇ − h* does no work on any admissible variation.
     fn reactions(&self, report: &mut Report) {
         let (claim, motion) = (self.claim, &self.motion);
-        let error = &motion.reaction_error * self.chart.powi(2);
+        let error =
+            &motion.reaction_error * self.chart.powi(2) + self.dynamics.m.map(|e| e.size) * self.acceleration_error();
         let total = self.dynamics.m.map(|e| e.value) * claim.acceleration() - self.dynamics.h.map(|e| e.value);
         report.bounded("M v̇ − h*", total.as_slice(), &motion.reaction, &error);
         let reaction = claim.reaction();
@@ -190,6 +205,11 @@ impl Compared<'_> {
             report.number("work on an admissible variation", variation.dot(&total), 0.0, bound);
         }
     }
+}
+
+/// Every entry replaced by the largest of its row.
+fn row_sizes(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, _| matrix.row(i).amax())
 }
 
 /// How much a chart amplifies rounding.

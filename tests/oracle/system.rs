@@ -160,7 +160,7 @@ impl<'a> System<'a> {
 
     /// Dᵀ = ∂v/∂q̇ (4.9) as a matrix n × p, and a_u = v̇ with q̈ = 0.
     pub fn partial_velocities(&self, t: f64, q: &[f64], qdot: &[f64]) -> (DMatrix<Entry>, DVector<Entry>) {
-        let (t, q, qdot) = (Entry::constant(t), lift(q), lift(qdot));
+        let (t, q, qdot) = (Entry::constant(t), lift(q), lift_speeds(qdot));
         let column = |j| self.velocities_of(Dual::fixed(t), &fixed(&q), &seeded(&qdot, j));
         let columns: Vec<_> = (0..q.len()).map(column).collect();
         let d_transposed = DMatrix::from_fn(self.model.n(), q.len(), |i, j| columns[j][i].rate);
@@ -171,7 +171,7 @@ impl<'a> System<'a> {
     /// A, a0, M, h* and the energies.
     pub fn dynamics(&self, t: f64, x: &[f64], v: &[f64]) -> Dynamics {
         let n = self.model.n();
-        let (t, x, v) = (Entry::constant(t), lift(x), lift(v));
+        let (t, x, v) = (Entry::constant(t), lift(x), lift_speeds(v));
         let still = vec![Entry::zero(); n];
         let column = |j| self.rates(Dual::fixed(t), &fixed(&x), &seeded(&still, j));
         let columns: Vec<_> = (0..n).map(column).collect();
@@ -191,7 +191,7 @@ impl<'a> System<'a> {
 
     /// All declared rows in acceleration form: position rows differentiated twice, velocity rows once, along ẋ = A v + a0.
     pub fn rows(&self, t: f64, x: &[f64], v: &[f64]) -> Rows {
-        let (t, x, v) = (Entry::constant(t), lift(x), lift(v));
+        let (t, x, v) = (Entry::constant(t), lift(x), lift_speeds(v));
         let (n, m) = (v.len(), self.model.constraints.len());
         let still = fixed(&x);
         let c = DMatrix::from_fn(m, n, |i, j| self.velocity(i, Dual::fixed(t), &still, &seeded(&v, j)).rate);
@@ -213,4 +213,11 @@ impl<'a> System<'a> {
 
 fn lift(values: &[f64]) -> Vec<Entry> {
     values.iter().map(|&x| Entry::constant(x)).collect()
+}
+
+/// Speeds are drawn of order one, and each is computed from the others: so each has the size of the largest, and at least one,
+/// even where it happens to vanish.
+fn lift_speeds(values: &[f64]) -> Vec<Entry> {
+    let size = values.iter().fold(1.0_f64, |size, v| size.max(v.abs()));
+    values.iter().map(|&value| Entry { value, size }).collect()
 }
