@@ -1,9 +1,9 @@
 //! What the engine's equations claim at a state, by evaluating its expressions.
 
 use crate::oracle::{Claim, Dual, Multiplier, Number, System};
-use holonomy_engine::projection::{AsIs, Equations, project};
+use holonomy_engine::projection::Equations;
 use holonomy_engine::symbolic::{Algebra, Expr, Function, Matrix, Rational, Symbol};
-use holonomy_engine::{model, syntax};
+use holonomy_engine::syntax;
 use nalgebra::DMatrix;
 use quote::ToTokens;
 use std::collections::BTreeMap;
@@ -49,9 +49,7 @@ pub fn equations(source: &str) -> Result<Equations, String> {
     let said = |d: syntax::Diagnostics| d.iter().map(|d| d.message.as_str()).collect::<Vec<_>>().join("; ");
     let mut item: syn::ItemStruct = syn::parse_str(source).map_err(|e| e.to_string())?;
     item.attrs.retain(|a| !a.path().is_ident("derive"));
-    let declarations = syntax::parse(item.into_token_stream()).map_err(said)?;
-    let system = model::build(&declarations).map_err(said)?;
-    project(system, &mut AsIs).map_err(said)
+    holonomy_engine::analyse(item.into_token_stream()).map(|a| a.equations).map_err(said)
 }
 
 /// The engine's equations with numbers for parameters and inputs.

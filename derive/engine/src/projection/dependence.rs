@@ -4,7 +4,7 @@ use super::Simplifier;
 use super::constraints::DifferentiatedRow;
 use super::elimination::{Choice, Elimination, eliminate};
 use super::messages;
-use crate::symbolic::modular::Field;
+use crate::symbolic::modular::{Element, Field};
 use crate::symbolic::{Expr, Graph, Matrix};
 use crate::syntax::Diagnostics;
 
@@ -38,7 +38,7 @@ pub fn independent(graph: &Graph, rows: &[Vec<Expr>], order: &[usize]) -> Vec<us
 }
 
 fn independent_at(graph: &Graph, rows: &[Vec<Expr>], order: &[usize], point: usize) -> Option<Vec<usize>> {
-    let mut basis: Vec<(usize, Vec<u64>)> = Vec::new();
+    let mut basis: Vec<(usize, Vec<Element>)> = Vec::new();
     let mut found = Vec::new();
     for i in order {
         let mut field = Field(3);
@@ -54,7 +54,7 @@ fn independent_at(graph: &Graph, rows: &[Vec<Expr>], order: &[usize], point: usi
                 *a = field.add(*a, field.mul(factor, *b));
             }
         }
-        if let Some(pivot) = row.iter().position(|a| *a != 0) {
+        if let Some(pivot) = row.iter().position(|a| !a.is_zero()) {
             let scale = field.recip(row[pivot])?;
             row.iter_mut().for_each(|a| *a = field.mul(scale, *a));
             basis.push((pivot, row));

@@ -3,13 +3,13 @@
 //! Two expressions are called identical where they agree at three fixed points modulo each of two primes. Symbols are
 //! random residues. An angle goes by the half-angle parameter τ of its base angles, sin = 2τ/(1+τ²),
 //! cos = (1-τ²)/(1+τ²), so that every trigonometric identity with rational multiples of the base angles holds
-//! exactly; exponentials likewise by powers of a random base. A root needs a residue for its argument, so points are
-//! drawn until every argument is one; its branch is fixed by its argument. Logarithms and arcs are random functions of
+//! exactly; exponentials likewise by powers of a random base. Every residue has a root in the field with p² elements, so
+//! only a root of what holds roots may make a point unfit, and another is drawn; the branch is fixed by the argument. Logarithms and arcs are random functions of
 //! their arguments' values. What this cannot relate is refused, never accepted: a wrong 'identical' needs a random
 //! coincidence at all six points. Where roots occur the branch is a coin toss, so values in double precision, of
 //! either sign, must not contradict.
 
-use super::modular::{Field, PRIMES, mix};
+use super::modular::{Element, Field, PRIMES, mix};
 use super::{Algebra, Expr, Function, Graph, Node, Rational, Symbol};
 
 /// Denominators that divide this have exact angle multiples: τ belongs to the angle over this number.
@@ -27,7 +27,7 @@ struct Point {
     salt: u64,
     redraws: usize,
     /// `None` where a value is undefined (division by zero) at this point.
-    values: Vec<Option<u64>>,
+    values: Vec<Option<Element>>,
 }
 
 impl Default for Points {
@@ -42,11 +42,11 @@ impl Default for Points {
     }
 }
 
-/// A root whose argument is no residue at this point.
+/// A root of roots that does not exist at this point.
 struct NotASquare;
 
 impl Point {
-    fn value(&mut self, graph: &Graph, e: Expr) -> Option<u64> {
+    fn value(&mut self, graph: &Graph, e: Expr) -> Option<Element> {
         while self.values.len() <= e.index() {
             let next = Expr(self.values.len() as u32);
             match self.of(graph, next) {
@@ -62,17 +62,17 @@ impl Point {
         self.values[e.index()]
     }
 
-    fn child(&self, e: Expr) -> Option<u64> {
+    fn child(&self, e: Expr) -> Option<Element> {
         self.values[e.index()]
     }
 
-    fn of(&self, graph: &Graph, e: Expr) -> Result<Option<u64>, NotASquare> {
+    fn of(&self, graph: &Graph, e: Expr) -> Result<Option<Element>, NotASquare> {
         let f = self.field;
         Ok(match graph.node(e) {
             Node::Number(number) => f.rational(number),
             Node::Symbol(symbol) => Some(f.draw(self.salt.wrapping_add(mix(symbol.index() as u64 + 1)))),
             Node::Sum { constant, terms } => self.linear(constant, terms),
-            Node::Product(factors) => factors.iter().try_fold(1, |total, (base, exponent)| {
+            Node::Product(factors) => factors.iter().try_fold(Element::ONE, |total, (base, exponent)| {
                 let base = self.child(*base)?;
                 let power = f.pow(base, exponent.unsigned_abs().into());
                 Some(f.mul(total, if *exponent < 0 { f.recip(power)? } else { power }))
@@ -85,7 +85,7 @@ impl Point {
                     None => None,
                     Some(a) => {
                         let root = f.sqrt(a).ok_or(NotASquare)?;
-                        let flip = mix(self.salt ^ a) & 1 == 1;
+                        let flip = mix(self.salt ^ a.key()) & 1 == 1;
                         Some(if flip { f.neg(root) } else { root })
                     }
                 },
@@ -93,7 +93,7 @@ impl Point {
                     let mut key = mix(self.salt ^ (*function as u64 + 77));
                     for argument in arguments {
                         match self.child(*argument) {
-                            Some(value) => key = mix(key ^ value),
+                            Some(value) => key = mix(key ^ value.key()),
                             None => return Ok(None),
                         }
                     }
@@ -103,7 +103,7 @@ impl Point {
         })
     }
 
-    fn linear(&self, constant: &Rational, terms: &[(Rational, Expr)]) -> Option<u64> {
+    fn linear(&self, constant: &Rational, terms: &[(Rational, Expr)]) -> Option<Element> {
         let f = self.field;
         terms
             .iter()
@@ -118,27 +118,28 @@ impl Point {
         for (coefficient, base) in terms.into_iter().chain(one) {
             let value = self.child(base)?;
             match coefficient.mul(&Rational::integer(DENOMINATOR)).as_integer() {
-                Some(multiple) => parts.push((multiple, value)),
+                Some(multiple) => parts.push((multiple, value.key())),
                 // A multiple of no common base: an angle of its own.
-                None => parts.push((1, mix(self.field.mul(self.field.rational(&coefficient)?, value) ^ 0xa1))),
+                None => parts.push((1, mix(self.field.mul(self.field.rational(&coefficient)?, value).key() ^ 0xa1))),
             }
         }
         Some(parts)
     }
 
     /// Cosine and sine of the argument.
-    fn turn(&self, graph: &Graph, argument: Expr) -> Option<(u64, u64)> {
+    fn turn(&self, graph: &Graph, argument: Expr) -> Option<(Element, Element)> {
         let f = self.field;
-        let times = |(a, b): (u64, u64), (c, d): (u64, u64)| {
+        let times = |(a, b): (Element, Element), (c, d): (Element, Element)| {
             (f.add(f.mul(a, c), f.neg(f.mul(b, d))), f.add(f.mul(a, d), f.mul(b, c)))
         };
-        let mut total = (1, 0);
+        let mut total = (Element::ONE, Element::ZERO);
         for (multiple, key) in self.multiples(graph, argument)? {
             let tau = f.draw(self.salt ^ mix(key ^ 0x7a));
             let square = f.mul(tau, tau);
-            let below = f.recip(f.add(1, square))?;
+            let below = f.recip(f.add(Element::ONE, square))?;
             let sine = f.mul(f.add(tau, tau), below);
-            let mut base = (f.mul(f.add(1, f.neg(square)), below), if multiple < 0 { f.neg(sine) } else { sine });
+            let mut base =
+                (f.mul(f.add(Element::ONE, f.neg(square)), below), if multiple < 0 { f.neg(sine) } else { sine });
             let mut n = multiple.unsigned_abs();
             while n > 0 {
                 if n & 1 == 1 {
@@ -151,10 +152,10 @@ impl Point {
         Some(total)
     }
 
-    fn exponential(&self, graph: &Graph, argument: Expr) -> Option<u64> {
+    fn exponential(&self, graph: &Graph, argument: Expr) -> Option<Element> {
         let f = self.field;
-        self.multiples(graph, argument)?.into_iter().try_fold(1, |total, (multiple, key)| {
-            let base = f.draw(self.salt ^ mix(key ^ 0xe)).max(1);
+        self.multiples(graph, argument)?.into_iter().try_fold(Element::ONE, |total, (multiple, key)| {
+            let base = f.draw(self.salt ^ mix(key ^ 0xe));
             let base = if multiple < 0 { f.recip(base)? } else { base };
             Some(f.mul(total, f.pow(base, multiple.unsigned_abs())))
         })
@@ -181,14 +182,14 @@ impl Graph {
 
     /// A value modulo a prime at the k-th of six points, for callers that do linear algebra there; `None` where the
     /// expression is undefined.
-    pub fn residue(&self, e: Expr, k: usize) -> Option<(Field, u64)> {
+    pub fn residue(&self, e: Expr, k: usize) -> Option<(Field, Element)> {
         let mut points = self.points.borrow_mut();
         let count = points.0.len();
         let point = &mut points.0[k % count];
         point.value(self, e).map(|value| (point.field, value))
     }
 
-    fn agree(&self, mut pair: impl FnMut(&mut Point, &Graph) -> Option<(u64, u64)>) -> bool {
+    fn agree(&self, mut pair: impl FnMut(&mut Point, &Graph) -> Option<(Element, Element)>) -> bool {
         let mut points = self.points.borrow_mut();
         points.0.iter_mut().all(|point| matches!(pair(point, self), Some((a, b)) if a == b))
     }
