@@ -15,7 +15,7 @@ fn falls(disks: &Disks, rate: f64) -> Result<bool, Error> {
         Ok(run) => Ok(leans(&run)),
         // A disk that falls flat ends its run at cos θ = 0.
         Err(interrupted) if leans(&interrupted.trajectory) => Ok(true),
-        Err(interrupted) => Err((*interrupted).error),
+        Err(interrupted) => Err(interrupted.error),
     }
 }
 

@@ -14,4 +14,4 @@ pub mod symbolic;
 pub mod syntax;
 mod target;
 
-pub use pipeline::{Analysis, analyse, expand, expand_observed};
+pub use pipeline::{Analysis, Observer, Step, analyse, expand, expand_observed};

@@ -8,7 +8,7 @@ use proc_macro2::Ident;
 /// The user's struct as emission sees it.
 pub fn target(declarations: &Declarations, equations: Option<&Equations>) -> Target {
     let is_used = |field: &Ident| match equations {
-        Some(e) => e.parameters.iter().any(|p| e.graph.name(*p) == field.to_string()),
+        Some(e) => e.parameters.iter().any(|p| field == e.graph.name(*p)),
         None => true,
     };
     let scalars = declarations.fields.iter().filter(|field| field.scalar);

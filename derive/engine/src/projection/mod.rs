@@ -10,9 +10,9 @@
 //! | [`factorisation`] | L D Lᵀ along the zero pattern |
 //! | [`reactions`] | λ for all rows in the initial space |
 //! | [`guards`] | every quantity by which the result divides |
-//! | [`project`] | the steps in order |
+//! | [`mod@project`] | the steps in order |
 //! | [`equations`] | the result |
-//! | [`messages`] | every sentence that this step can say to a user |
+//! | `messages` | every sentence that this step can say to a user |
 
 pub mod constraints;
 pub mod dependence;

@@ -16,7 +16,8 @@ impl Bounds {
 
     /// Whether zero is kept off by more than rounding.
     pub fn exclude_zero(self) -> bool {
-        let reach = 1e-9 * self.low.abs().max(self.high.abs()).min(1e9);
+        let largest = self.low.abs().max(self.high.abs());
+        let reach = if largest.is_finite() { 1e-9 * largest } else { 0.0 };
         self.low > reach || self.high < -reach
     }
 
@@ -36,7 +37,7 @@ impl Bounds {
     fn power(self, exponent: i32) -> Bounds {
         let k = exponent.unsigned_abs();
         let raise = |x: f64| x.powi(i32::try_from(k).unwrap_or(i32::MAX));
-        let positive = match (k % 2 == 0, self.low >= 0.0, self.high <= 0.0) {
+        let positive = match (k.is_multiple_of(2), self.low >= 0.0, self.high <= 0.0) {
             (false, _, _) | (true, true, _) => Bounds { low: raise(self.low), high: raise(self.high) },
             (true, _, true) => Bounds { low: raise(self.high), high: raise(self.low) },
             _ => Bounds { low: 0.0, high: raise(self.low).max(raise(self.high)) },

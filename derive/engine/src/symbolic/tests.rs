@@ -180,7 +180,8 @@ fn text_reads_as_written() {
 #[test]
 fn the_content_of_a_long_sum_is_taken_out() {
     let mut g = Graph::new();
-    let x: Vec<Expr> = (0..40).map(|i| g.symbol(&format!("x{i}"), Kind::Coordinate)).map(|s| g.var(s)).collect();
+    let symbols: Vec<Symbol> = (0..40).map(|i| g.symbol(&format!("x{i}"), Kind::Coordinate)).collect();
+    let x = g.vars(&symbols);
     let terms: Vec<_> = x.iter().map(|e| (Rational::integer(2), *e)).collect();
     let (long, half) = (g.linear(Rational::ZERO, &terms), g.sum(&x));
     let (a, b) = (g.mul(long, x[0]), g.mul(half, x[0]));
