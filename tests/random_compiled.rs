@@ -12,6 +12,7 @@ use random::{counted, generate};
 use support::splitmix::SplitMix;
 
 /// The models themselves, one struct each.
+#[allow(dead_code, reason = "not every parameter occurs in an equation")]
 mod models {
     include!("data/random_models.rs");
 }

@@ -45,11 +45,29 @@ impl<N: Number> Algebra for Over<N> {
 ///
 /// # Errors
 /// What the engine says about a model that it refuses.
-pub fn equations(source: &str) -> Result<Equations, String> {
-    let said = |d: syntax::Diagnostics| d.iter().map(|d| d.message.as_str()).collect::<Vec<_>>().join("; ");
-    let mut item: syn::ItemStruct = syn::parse_str(source).map_err(|e| e.to_string())?;
+pub fn projected(source: &str) -> Result<Equations, String> {
+    let declarations = syntax::parse(tokens(source)).map_err(said)?;
+    let system = model::build(&declarations).map_err(said)?;
+    project(system, &mut AsIs).map_err(said)
+}
+
+/// The equations as they are emitted: in the cheapest forms found.
+///
+/// # Errors
+/// What the engine says about a model that it refuses.
+pub fn simplified(source: &str) -> Result<Equations, String> {
+    holonomy_engine::analyse(tokens(source)).map(|analysis| analysis.equations).map_err(said)
+}
+
+/// What the derive gets of a struct: everything but the `derive` itself.
+fn tokens(source: &str) -> proc_macro2::TokenStream {
+    let mut item: syn::ItemStruct = syn::parse_str(source).expect("a struct");
     item.attrs.retain(|a| !a.path().is_ident("derive"));
-    holonomy_engine::analyse(item.into_token_stream()).map(|a| a.equations).map_err(said)
+    item.into_token_stream()
+}
+
+fn said(diagnostics: syntax::Diagnostics) -> String {
+    diagnostics.iter().map(|d| d.message.as_str()).collect::<Vec<_>>().join("; ")
 }
 
 /// The engine's equations with numbers for parameters and inputs.

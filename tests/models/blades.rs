@@ -1,5 +1,6 @@
 //! Blades that cannot move sideways: Chaplygin's sleigh and the knife edge on an incline.
 #![allow(dead_code, missing_docs, reason = "each test file runs its own models; fields are named as in the source")]
+#![allow(clippy::duplicated_attributes, reason = "clippy takes the masses of `diag(m, m)` for attributes")]
 
 use holonomy::ConstrainedSystem;
 

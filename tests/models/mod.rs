@@ -1,5 +1,5 @@
 //! The models that have an answer of their own: golden data, a closed form, or a published set.
-#![allow(unused_imports, reason = "every test file uses its own models")]
+#![allow(dead_code, unused_imports, reason = "every test file uses its own models")]
 
 mod blades;
 mod particles;

@@ -1,5 +1,6 @@
 //! The rolling disc of the published set, by its centre.
 #![allow(dead_code, missing_docs, reason = "each test file runs its own models; fields are named as in the source")]
+#![allow(clippy::duplicated_attributes, reason = "clippy takes the masses of `diag(m, m)` for attributes")]
 
 use holonomy::ConstrainedSystem;
 

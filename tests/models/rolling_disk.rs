@@ -4,6 +4,7 @@
 //! angular velocity, both in the frame G-xi-eta-zeta. Kinematics (6.3), M (6.9), h* (6.10); J is the moment of inertia about a
 //! diameter, 2J the one about the axis.
 #![allow(dead_code, missing_docs, reason = "each test file runs its own models; fields are named as in the source")]
+#![allow(clippy::duplicated_attributes, reason = "clippy takes the masses of `diag(m, m)` for attributes")]
 
 use holonomy::ConstrainedSystem;
 

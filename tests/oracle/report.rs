@@ -13,6 +13,8 @@ pub struct Report {
     pub compared: usize,
     /// The largest quotient of error and bound.
     pub worst: f64,
+    /// What that was found in.
+    pub worst_in: String,
 }
 
 impl Report {
@@ -21,7 +23,10 @@ impl Report {
         let error = (claimed - expected).abs();
         self.compared += 1;
         if error <= bound {
-            self.worst = self.worst.max(if bound > 0.0 { error / bound } else { 0.0 });
+            let part = if bound > 0.0 { error / bound } else { 0.0 };
+            if part > self.worst {
+                (self.worst, self.worst_in) = (part, what.to_string());
+            }
         } else {
             let line = format!("{what}: claimed {claimed:e}, expected {expected:e}, off by {error:e}, bound {bound:e}");
             self.failures.push(line);

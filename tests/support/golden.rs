@@ -50,14 +50,14 @@ pub fn assert_close(what: &str, computed: &[f64], expected: &[f64], relative: f6
     assert_close_at(what, computed, expected, relative, 0.0);
 }
 
-/// The same; where every expected component is zero, `natural` is the scale: the size of the terms that cancel.
+/// The same; where every expected component vanishes beside `natural`, that is the scale: the size of the terms that cancel.
 ///
 /// # Panics
 /// If an entry is not close.
 pub fn assert_close_at(what: &str, computed: &[f64], expected: &[f64], relative: f64, natural: f64) {
     assert_eq!(computed.len(), expected.len(), "{what}: number of entries");
     let largest = expected.iter().fold(0.0_f64, |scale, e| scale.max(e.abs()));
-    let scale = if largest == 0.0 { natural } else { largest };
+    let scale = if largest <= f64::EPSILON * natural { natural } else { largest };
     for (i, (c, e)) in computed.iter().zip(expected).enumerate() {
         let error = (c - e).abs();
         assert!(error <= relative * scale, "{what}[{i}]: {c:e} instead of {e:e}, off by {error:e} at scale {scale:e}");

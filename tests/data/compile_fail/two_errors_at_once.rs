@@ -2,7 +2,6 @@
 #[inertia(diag(m, mass))]
 #[forces(0, -m*g^2)]
 #[constraint(rod: powi(x, 2) + powi(yy, 2) == 1)]
-#[speds(u, v)]
 pub struct TwoErrors {
     pub m: f64,
     pub g: f64,

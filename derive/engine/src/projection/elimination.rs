@@ -5,6 +5,7 @@
 
 use super::Simplifier;
 use crate::symbolic::{Expr, Graph, Matrix, Rational, Stage};
+use std::collections::BTreeMap;
 
 /// What the elimination may use as pivots.
 #[derive(Clone, Debug)]
@@ -46,6 +47,9 @@ pub enum Stuck {
     /// The row's remaining entries would need a new guard.
     NeedsGuard,
 }
+
+/// The highest rank of a pivot that cannot vanish.
+const SAFE: u8 = 3;
 
 /// The rank of a pivot that needs a guard of its own.
 const NEW_GUARD: u8 = 5;
@@ -121,26 +125,71 @@ pub fn eliminate(
     Ok(Elimination { pivots: pivots.into_iter().flatten().collect(), values, reduced, inverse })
 }
 
-/// The cheapest pivot: by kind, then by fill-in (Markowitz), then by position.
+/// The cheapest pivot: by kind, then by fill-in (Markowitz), then by position. A pivot that cannot vanish is passed over
+/// where taking it would leave another row without one.
 fn cheapest(graph: &Graph, matrix: &Matrix, pivots: &[Option<usize>], choice: &Choice) -> Option<(usize, usize, u8)> {
     let open: Vec<usize> = (0..matrix.rows()).filter(|i| pivots[*i].is_none()).collect();
     let in_row = |i: usize| matrix.row(i).iter().filter(|e| !graph.is_zero(**e)).count();
     let in_column = |j: usize| (0..matrix.rows()).filter(|i| !graph.is_zero(matrix.get(*i, j))).count();
-    let rows: Vec<usize> = open.iter().map(|i| in_row(*i)).collect();
     let columns: Vec<usize> = (0..matrix.columns()).map(in_column).collect();
-    let mut best: Option<((u8, usize, usize, usize), u8)> = None;
-    for (at, i) in open.iter().enumerate() {
+    let mut candidates: Vec<(u8, usize, usize, usize)> = Vec::new();
+    for i in &open {
+        let width = in_row(*i);
         for j in (0..matrix.columns()).filter(|j| choice.columns[*j]) {
             if let Some(dear) = rank(graph, matrix.get(*i, j)) {
-                let fill = (rows[at] - 1) * (columns[j] - 1);
-                let score = (dear, fill, *i, j);
-                if best.is_none_or(|(least, _)| score < least) {
-                    best = Some((score, dear));
+                candidates.push((dear, (width - 1) * (columns[j] - 1), *i, j));
+            }
+        }
+    }
+    candidates.sort_unstable();
+    let safe: Vec<(usize, usize)> = candidates.iter().filter(|c| c.0 <= SAFE).map(|c| (c.2, c.3)).collect();
+    let most = matching(&safe, None);
+    let keeps_the_others = |c: &&(u8, usize, usize, usize)| c.0 > SAFE || matching(&safe, Some((c.2, c.3))) + 1 == most;
+    let best = candidates.iter().find(keeps_the_others).or(candidates.first());
+    best.map(|(dear, _, i, j)| (*i, *j, *dear))
+}
+
+/// How many rows can have a column of their own among the entries (row, column), without one entry's row and column.
+fn matching(entries: &[(usize, usize)], without: Option<(usize, usize)>) -> usize {
+    let mut columns_of: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for (i, j) in entries {
+        if without.is_none_or(|(row, column)| *i != row && *j != column) {
+            columns_of.entry(*i).or_default().push(*j);
+        }
+    }
+    let mut row_of: BTreeMap<usize, usize> = BTreeMap::new();
+    columns_of.keys().filter(|row| augment(**row, &columns_of, &mut row_of)).count()
+}
+
+/// Finds a column for the row, moving other rows to other columns where that helps: breadth first.
+fn augment(row: usize, columns_of: &BTreeMap<usize, Vec<usize>>, row_of: &mut BTreeMap<usize, usize>) -> bool {
+    // The row from which each column was reached.
+    let mut reached: BTreeMap<usize, usize> = BTreeMap::new();
+    let mut queue = std::collections::VecDeque::from([row]);
+    while let Some(from) = queue.pop_front() {
+        for column in &columns_of[&from] {
+            if reached.contains_key(column) {
+                continue;
+            }
+            reached.insert(*column, from);
+            if let Some(next) = row_of.get(column) {
+                queue.push_back(*next);
+                continue;
+            }
+            // Free: shift every row on the way back.
+            let mut column = *column;
+            loop {
+                let owner = reached[&column];
+                let before = row_of.iter().find(|(_, r)| **r == owner).map(|(c, _)| *c);
+                row_of.insert(column, owner);
+                match before.filter(|_| owner != row) {
+                    Some(previous) => column = previous,
+                    None => return true,
                 }
             }
         }
     }
-    best.map(|((_, _, i, j), dear)| (i, j, dear))
+    false
 }
 
 fn scale_row(graph: &mut Graph, matrix: &mut Matrix, row: usize, pivot: Expr) {
@@ -170,5 +219,37 @@ fn subtract_row(
         let difference = graph.sub(matrix.get(row, j), product);
         let entry = if graph.vanishes(difference) { graph.zero() } else { simplifier.one(graph, difference) };
         matrix.set(row, j, entry);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::projection::AsIs;
+    use crate::symbolic::Kind;
+
+    #[test]
+    fn matchings_are_the_largest() {
+        assert_eq!(matching(&[(0, 0), (0, 1), (1, 0), (2, 1), (2, 2)], None), 3);
+        assert_eq!(matching(&[(0, 0), (1, 0), (2, 0)], None), 1);
+        assert_eq!(matching(&[(0, 0), (0, 1), (1, 0), (2, 1), (2, 2)], Some((0, 0))), 1);
+        assert_eq!(matching(&[(0, 0), (0, 1), (1, 0), (2, 1), (2, 2)], Some((1, 0))), 2);
+    }
+
+    #[test]
+    fn a_safe_pivot_is_left_to_the_row_that_has_no_other() {
+        // [1 1; 1 s]: the second row's only safe pivot is the first column.
+        let mut g = Graph::new();
+        let x = g.symbol("x", Kind::Coordinate);
+        let x = g.var(x);
+        let (s, one) = (g.sin(x), g.one());
+        let c = Matrix::from_rows(vec![vec![one, one, one], vec![one, s, g.zero()]], 3);
+        let choice = Choice { columns: vec![true; 3], new_guards: false };
+        let e = eliminate(&mut g, &mut AsIs, &c, &choice).expect("safe pivots suffice");
+        assert_eq!(e.pivots[1], 0);
+        let product = e.inverse.mul(&mut g, &c);
+        for (a, b) in product.entries().iter().zip(e.reduced.entries()) {
+            assert!(g.identical(*a, *b));
+        }
     }
 }
