@@ -1,9 +1,9 @@
 //! What the engine's equations claim at a state, by evaluating its expressions.
 
 use crate::oracle::{Claim, Dual, Multiplier, Number, System};
-use holonomy_engine::projection::Equations;
+use holonomy_engine::projection::{AsIs, Equations, project};
 use holonomy_engine::symbolic::{Algebra, Expr, Function, Matrix, Rational, Symbol};
-use holonomy_engine::syntax;
+use holonomy_engine::{model, syntax};
 use nalgebra::DMatrix;
 use quote::ToTokens;
 use std::collections::BTreeMap;
