@@ -6,6 +6,7 @@
 //! | [`dependence`] | which rows are independent, which repeat others, which contradict |
 //! | [`elimination`] | C_d⁻¹ by Gauss-Jordan on the arena, pivots chosen and recorded |
 //! | [`tangent`] | the basis D and the bias a_u: by partial velocities, by pivots, or as given |
+//! | [`judge`] | the choice of speeds at the start that the model names |
 //! | [`dynamics`] | M_d and h_u* (4.10), (5.6) |
 //! | [`factorisation`] | L D Lᵀ along the zero pattern |
 //! | [`reactions`] | λ for all rows in the initial space |
@@ -21,6 +22,7 @@ pub mod elimination;
 pub mod equations;
 pub mod factorisation;
 pub mod guards;
+pub mod judge;
 pub(crate) mod messages;
 pub mod project;
 pub mod reactions;
