@@ -4,9 +4,10 @@
 //! give numbers for everything that a pivot depends on, a pivot that vanishes there is an error with the line that
 //! mends it. The numbers never enter the equations.
 
+use super::carriers::Carriers;
 use super::constraints::DifferentiatedRow;
 use super::messages;
-use super::tangent::{Carriers, Tangent};
+use super::tangent::Tangent;
 use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::Diagnostics;

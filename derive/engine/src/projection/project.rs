@@ -1,5 +1,6 @@
 //! The steps in order.
 
+use super::carriers::{Carriers, carriers};
 use super::constraints::differentiate;
 use super::dependence::{Sorted, sort};
 use super::dynamics::{reduce, to_state};
@@ -8,7 +9,7 @@ use super::factorisation::factorise;
 use super::guards::Guards;
 use super::judge::judge;
 use super::reactions::{Motion, reactions};
-use super::tangent::{Carriers, carriers, tangent};
+use super::tangent::tangent;
 use super::{Simplifier, constraints::DifferentiatedRow, messages};
 use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Matrix, Rational, Stage};
