@@ -28,7 +28,11 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     let mut checks = Checks::default();
 
     println!("The rolling disk of Blajer (1992), section 6\n");
-    derived("six quasi-velocities, (6.2)-(6.13)", models::RollingDisk::MODEL, &["D", "M_d", "h_u*", "λ"]);
+    derived(
+        "six quasi-velocities, (6.2)-(6.13)",
+        models::RollingDisk::MODEL,
+        &["D", "M_d", "h_u*", "lambda(no_slip_along)", "lambda(no_slip_across)", "lambda(contact)"],
+    );
     derived("five generalised coordinates, (6.14)-(6.20)", models::FloorDisk::MODEL, &["M_d"]);
     derived("two stages down to three rates, (6.21)-(6.29)", models::StagedDisk::MODEL, &["M_d", "h_u*"]);
 
@@ -53,7 +57,7 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     checks.below("height of the contact point / m", run.drift[0], 1e-12);
     checks.below("slip under the computed friction / (m/s)", run.drift[1], 1e-8);
     println!("\n      t      lean/°    reactions of the floor on the disk: x, y, z / N");
-    for (t, p, force) in run.samples.iter().step_by(40) {
+    for (t, p, force) in run.samples.iter().step_by(100) {
         println!("  {t:5.1} {:10.4}    {:10.5} {:10.5} {:10.5}", p.theta.to_degrees(), force[0], force[1], force[2]);
     }
 
@@ -76,7 +80,9 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
 fn derived(title: &str, model: &Description, symbols: &[&str]) {
     println!("{title}");
     for equation in model.equations.iter().filter(|e| symbols.contains(&e.symbol)) {
-        println!("  {:5} {:8} {}", equation.symbol, equation.source, equation.text);
+        // One row of a matrix a line.
+        let text = equation.text.replace("], [", &format!("],\n{:33}[", ""));
+        println!("  {:22} {:7} {text}", equation.symbol, equation.source);
     }
     for note in model.notes {
         println!("  note: {note}");

@@ -134,7 +134,7 @@ pub struct Comparison {
 /// applied to it as a force: a reaction that were wrong would show as slip.
 pub fn compare(disks: &Disks, start: &Posture, end: f64) -> Result<Comparison, Error> {
     let tolerance = (1e-12, 1e-12);
-    let every = 0.05;
+    let every = 0.02;
     let quasi = disks.quasi.simulate(start.quasi()).tolerance(tolerance.0, tolerance.1).every(every).until(end)?;
     let staged = disks.staged.simulate(start.staged()).tolerance(tolerance.0, tolerance.1).every(every).until(end)?;
     let friction = |t: f64, s: &State<FloorDisk>| {

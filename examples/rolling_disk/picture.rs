@@ -13,10 +13,11 @@ type Curve = (&'static str, RGBColor, Vec<(f64, f64)>);
 
 /// Draws the samples to an SVG file.
 pub fn draw(samples: &[Sample], path: &Path) -> Result<(), Box<dyn Error>> {
-    let root = SVGBackend::new(path, (1000, 640)).into_drawing_area();
+    // Large, because the backend rounds to whole pixels: a small drawing shows steps in the curves.
+    let root = SVGBackend::new(path, (2000, 1280)).into_drawing_area();
     root.fill(&WHITE)?;
-    let (left, right) = root.split_horizontally(520);
-    let (above, below) = right.split_vertically(320);
+    let (left, right) = root.split_horizontally(1040);
+    let (above, below) = right.split_vertically(640);
     let blue = RGBColor(31, 119, 180);
     let (red, green) = (RGBColor(214, 39, 40), RGBColor(44, 160, 44));
 
@@ -38,27 +39,38 @@ fn chart(area: &Area<'_>, title: &str, labels: [&str; 2], equal: bool, curves: &
     if equal {
         // One metre is as long on both axes.
         let (width, height) = area.dim_in_pixel();
-        let ratio = (f64::from(width) - 70.0) / (f64::from(height) - 90.0);
+        let ratio = (f64::from(width) - 144.0) / (f64::from(height) - 150.0);
         let (dx, dy) = (across.1 - across.0, along.1 - along.0);
         widen(&mut across, ratio * dy - dx);
         widen(&mut along, dx / ratio - dy);
     }
     let mut chart = ChartBuilder::on(area)
-        .caption(title, ("sans-serif", 18))
-        .margin(12)
-        .x_label_area_size(34)
-        .y_label_area_size(48)
+        .caption(title, ("sans-serif", 34))
+        .margin(24)
+        .x_label_area_size(68)
+        .y_label_area_size(96)
         .build_cartesian_2d(across.0..across.1, along.0..along.1)?;
-    chart.configure_mesh().x_desc(labels[0]).y_desc(labels[1]).light_line_style(WHITE).draw()?;
+    chart
+        .configure_mesh()
+        .x_desc(labels[0])
+        .y_desc(labels[1])
+        .label_style(("sans-serif", 24))
+        .light_line_style(WHITE)
+        .draw()?;
     for (label, colour, points) in curves {
-        let series = chart.draw_series(LineSeries::new(points.iter().copied(), colour))?;
+        let series = chart.draw_series(LineSeries::new(points.iter().copied(), colour.stroke_width(3)))?;
         if !label.is_empty() {
             let colour = *colour;
-            series.label(*label).legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], colour));
+            series.label(*label).legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], colour.stroke_width(3)));
         }
     }
     if curves.len() > 1 {
-        chart.configure_series_labels().background_style(WHITE.mix(0.8)).border_style(BLACK.mix(0.3)).draw()?;
+        chart
+            .configure_series_labels()
+            .label_font(("sans-serif", 24))
+            .background_style(WHITE.mix(0.8))
+            .border_style(BLACK.mix(0.3))
+            .draw()?;
     }
     Ok(())
 }

@@ -106,3 +106,8 @@ mod models;
 pub mod prelude {
     pub use crate::{ConstrainedSystem, Error, Matrix, Method, Prepared, Scalar, Vector};
 }
+
+/// The README's model runs as it stands there.
+#[cfg(all(doctest, feature = "derive"))]
+#[doc = include_str!("../../README.md")]
+struct Readme;

@@ -1,7 +1,8 @@
 //! The tangent projection: M_d u̇ = h_u* with M_d = D M Dᵀ and h_u* = D (h* - M a_u), (4.10) for every kind of row.
 
 use super::Simplifier;
-use super::tangent::{Carriers, Tangent};
+use super::carriers::Carriers;
+use super::tangent::Tangent;
 use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Graph, Matrix};
 

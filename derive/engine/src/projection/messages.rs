@@ -31,6 +31,16 @@ pub(crate) fn not_independent(row: &str, speeds: &[&str]) -> String {
     format!("these speeds are not independent: constraint `{row}` binds them; choose others among {}", list(speeds))
 }
 
+/// A pivot vanishes at the start that the model names.
+pub(crate) fn singular_at_start(pivot: &str, dependent: &str, by_user: bool, better: Option<&str>) -> String {
+    let who = if by_user { "these independent speeds do" } else { "the chosen independent speeds do" };
+    let mend = match better {
+        Some(line) => format!("write `{line}`"),
+        None => "there the constraints are dependent, so that no choice of speeds helps".to_owned(),
+    };
+    format!("{who} not determine `{dependent}` at the start, where the pivot {pivot} vanishes; {mend}")
+}
+
 /// An independent speed is named twice.
 pub(crate) fn independent_twice(name: &str) -> String {
     format!("the independent speed `{name}` is named twice")

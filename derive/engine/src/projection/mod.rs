@@ -5,7 +5,10 @@
 //! | [`constraints`] | rows differentiated to C v̇ + c0* = 0 (2.5), (2.6) |
 //! | [`dependence`] | which rows are independent, which repeat others, which contradict |
 //! | [`elimination`] | C_d⁻¹ by Gauss-Jordan on the arena, pivots chosen and recorded |
-//! | [`tangent`] | the basis D and the bias a_u: by partial velocities, by pivots, or as given |
+//! | [`carriers`] | partial velocities of a configuration (4.9), and the rows that still bind |
+//! | [`tangent`] | the basis D and the bias a_u, by pivots |
+//! | [`complement`] | the basis D as the user gives it |
+//! | [`judge`] | the choice of speeds at the start that the model names |
 //! | [`dynamics`] | M_d and h_u* (4.10), (5.6) |
 //! | [`factorisation`] | L D Lᵀ along the zero pattern |
 //! | [`reactions`] | λ for all rows in the initial space |
@@ -14,6 +17,8 @@
 //! | [`equations`] | the result |
 //! | `messages` | every sentence that this step can say to a user |
 
+pub mod carriers;
+pub mod complement;
 pub mod constraints;
 pub mod dependence;
 pub mod dynamics;
@@ -21,6 +26,7 @@ pub mod elimination;
 pub mod equations;
 pub mod factorisation;
 pub mod guards;
+pub mod judge;
 pub(crate) mod messages;
 pub mod project;
 pub mod reactions;

@@ -1,13 +1,15 @@
 //! The steps in order.
 
+use super::carriers::{Carriers, carriers};
 use super::constraints::differentiate;
 use super::dependence::{Sorted, sort};
 use super::dynamics::{reduce, to_state};
 use super::equations::Equations;
 use super::factorisation::factorise;
 use super::guards::Guards;
+use super::judge::judge;
 use super::reactions::{Motion, reactions};
-use super::tangent::{Carriers, carriers, tangent};
+use super::tangent::tangent;
 use super::{Simplifier, constraints::DifferentiatedRow, messages};
 use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Matrix, Rational, Stage};
@@ -27,6 +29,10 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     let Some(tangent) = tangent(&mut system, simplifier, &rows, &sorted.kept, &carriers, &mut errors) else {
         return Err(errors);
     };
+    judge(&system, &rows, &carriers, &tangent, &mut errors);
+    if !errors.is_empty() {
+        return Err(errors);
+    }
     let mut guards = Guards::default();
     for pivot in system.kinematics.pivots.clone() {
         let pivot = to_state(&mut system.graph, &carriers, &tangent, &[pivot])[0];

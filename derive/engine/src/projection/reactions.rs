@@ -6,12 +6,13 @@
 //! that bind its rates come first, in the carriers' space; the rows that it satisfies carry what is left.
 
 use super::Simplifier;
+use super::carriers::Carriers;
 use super::constraints::DifferentiatedRow;
 use super::dynamics::{Dynamics, to_state};
 use super::elimination::{Choice, eliminate};
 use super::factorisation::factorise;
 use super::messages;
-use super::tangent::{Carriers, Tangent};
+use super::tangent::Tangent;
 use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Graph, Matrix};
 use crate::syntax::Diagnostics;

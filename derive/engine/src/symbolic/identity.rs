@@ -201,31 +201,34 @@ impl Graph {
             return false;
         }
         (0..24u64).any(|k| {
-            let mut algebra = Scaled { pi: self.pi_symbol(), key: mix(k) };
-            let values = self.evaluate_in(&[a, b], &mut algebra);
+            let draw = |s: Symbol| (mix(mix(k) ^ mix(s.index() as u64)) >> 11) as f64 / (1u64 << 53) as f64 * 4.0 - 2.0;
+            let values = self.evaluate_scaled(&[a, b], &draw);
             let ((x, sx), (y, sy)) = (values[0], values[1]);
             x.is_finite() && y.is_finite() && (x - y).abs() > 1e-7 * (sx + sy + 1e-30)
         })
     }
+
+    /// Values in double precision, each with the size of the terms that made it: a value far below its size is zero
+    /// to rounding.
+    pub fn evaluate_scaled(&self, expressions: &[Expr], values: &dyn Fn(Symbol) -> f64) -> Vec<(f64, f64)> {
+        self.evaluate_in(expressions, &mut Scaled { pi: self.pi_symbol(), values })
+    }
 }
 
-/// Double precision with a bound of the terms' magnitudes, at a random point of either sign.
-struct Scaled {
+/// Double precision with a bound of the terms' magnitudes.
+struct Scaled<'a> {
     pi: Symbol,
-    key: u64,
+    values: &'a dyn Fn(Symbol) -> f64,
 }
 
-impl Algebra for Scaled {
+impl Algebra for Scaled<'_> {
     type Value = (f64, f64);
     fn number(&mut self, value: &Rational) -> Self::Value {
         let x = value.to_f64();
         (x, x.abs())
     }
     fn symbol(&mut self, symbol: Symbol) -> Self::Value {
-        if symbol == self.pi {
-            return (std::f64::consts::PI, std::f64::consts::PI);
-        }
-        let x = (mix(self.key ^ mix(symbol.index() as u64)) >> 11) as f64 / (1u64 << 53) as f64 * 4.0 - 2.0;
+        let x = if symbol == self.pi { std::f64::consts::PI } else { (self.values)(symbol) };
         (x, x.abs())
     }
     fn add(&mut self, a: &Self::Value, b: &Self::Value) -> Self::Value {
