@@ -3,8 +3,8 @@
 use super::shape::{Record, Types};
 use super::target::Target;
 use crate::program::Programs;
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
 
 /// The lints that emitted code may trip over without being wrong.
 pub fn allowed() -> TokenStream {
@@ -142,12 +142,14 @@ fn vector(target: &Target, record: &Record) -> TokenStream {
     let names = &record.names;
     let n = Literal::usize_unsuffixed(fields.len());
     let indices: Vec<Literal> = (0..fields.len()).map(Literal::usize_unsuffixed).collect();
+    // Not the fields' names: a pattern named like a constant of the user's, `J` say, would compare with it.
+    let entries: Vec<Ident> = (0..fields.len()).map(|i| format_ident!("entry_{i}")).collect();
     quote! {
         #[automatically_derived]
         impl<T> ::core::convert::From<[T; #n]> for #name<T> {
             #[inline]
-            fn from([#(#fields),*]: [T; #n]) -> Self {
-                #name { #(#fields),* }
+            fn from([#(#entries),*]: [T; #n]) -> Self {
+                #name { #(#fields: #entries),* }
             }
         }
         #[automatically_derived]
