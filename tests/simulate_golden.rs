@@ -47,11 +47,14 @@ fn params(block: &Value, names: [&str; 4]) -> [f64; 4] {
     names.map(|p| block[p].as_f64().expect("a number"))
 }
 
+/// q and omega.
+type Figures = ([f64; 5], [f64; 3]);
+
 /// One formulation of the disk: its states from q = (x, y, phi, theta, psi) and omega = (phi', theta', psi'), and back.
 struct Formulation<M: ConstrainedSystem> {
     disk: Prepared<M>,
     state: fn(&[f64], &[f64]) -> State<M>,
-    read: fn(&State<M>) -> ([f64; 5], [f64; 3]),
+    read: fn(&State<M>) -> Figures,
 }
 
 impl<M: ConstrainedSystem> Formulation<M> {

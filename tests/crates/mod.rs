@@ -23,11 +23,20 @@ impl Crate {
     /// # Panics
     /// If a file cannot be written.
     pub fn new(name: &str, features: &str, manifest: &str, sources: &[(&str, &str)]) -> Self {
-        let folder = Path::new(SCRATCH).join(name);
         let runtime = Path::new(TOP).join("runtime");
+        let dependency = format!("holonomy = {{ path = {runtime:?}, {features} }}\n\n{manifest}");
+        Self::with_dependencies(name, &dependency, sources)
+    }
+
+    /// The same with dependencies of its own, and what may follow them in a manifest.
+    ///
+    /// # Panics
+    /// If a file cannot be written.
+    pub fn with_dependencies(name: &str, dependencies: &str, sources: &[(&str, &str)]) -> Self {
+        let folder = Path::new(SCRATCH).join(name);
         let head = format!(
             "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\npublish = false\n\n[workspace]\n\n\
-             [dependencies]\nholonomy = {{ path = {runtime:?}, {features} }}\n\n{manifest}"
+             [dependencies]\n{dependencies}"
         );
         fs::create_dir_all(folder.join("src")).expect("the folder is made");
         fs::copy(Path::new(TOP).join("Cargo.lock"), folder.join("Cargo.lock")).expect("the lock file is copied");
@@ -58,10 +67,10 @@ impl Crate {
     pub fn attempt(&self, command: &str, arguments: &[&str]) -> Output {
         Command::new(env!("CARGO"))
             .arg(command)
-            .args(["--quiet", "--offline", "--color", "never", "--target-dir"])
-            .arg(Path::new(SCRATCH).join("crates"))
+            .args(["--quiet", "--offline", "--color", "never"])
             .args(arguments)
             .current_dir(&self.folder)
+            .env("CARGO_TARGET_DIR", Path::new(SCRATCH).join("crates"))
             // what the workspace is built with is not the crate's business
             .env_remove("RUSTFLAGS")
             .env_remove("CARGO_ENCODED_RUSTFLAGS")
