@@ -1,7 +1,7 @@
 //! The steps in order, from tokens to tokens.
 
 use crate::projection::{Equations, Simplifier, guards, project};
-use crate::simplify;
+use crate::simplify::{self, limits::PROJECTION_WORK};
 use crate::symbolic::{Expr, Graph};
 use crate::syntax::{Declarations, Diagnostics};
 use crate::target::{known, target};
@@ -110,7 +110,7 @@ fn equations(
         }
     };
     after(Step::Model, system.graph.len());
-    let mut forms = Forms;
+    let mut forms = Forms { left: PROJECTION_WORK };
     let mut equations = project(system, &mut forms)?;
     after(Step::Projection, equations.graph.len());
     if declarations.options.simplify {
@@ -133,11 +133,14 @@ fn cheapen(equations: &mut Equations, forms: &mut Forms) {
 }
 
 /// The simplifier as the projection sees it.
-struct Forms;
+struct Forms {
+    /// What entries may still cost to normalise: in a large model most of them have no cheaper form.
+    left: usize,
+}
 
 impl Simplifier for Forms {
     fn one(&mut self, graph: &mut Graph, e: Expr) -> Expr {
-        simplify::normalise(graph, e)
+        simplify::normalise_within(graph, e, &mut self.left)
     }
     fn all(&mut self, graph: &mut Graph, roots: &[Expr]) -> Vec<Expr> {
         simplify::simplify(graph, roots, &simplify::Options::default())

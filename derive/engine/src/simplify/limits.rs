@@ -6,6 +6,8 @@ pub const POLYNOMIAL_TERMS: usize = 600;
 pub const POLYNOMIAL_WORK: usize = 4_000;
 /// Products of terms that the expansions of a whole model may form.
 pub const MODEL_WORK: usize = 60_000;
+/// Products of terms that the projection of a whole model may form on its way.
+pub const PROJECTION_WORK: usize = 300_000;
 /// The highest power of a sum that is expanded.
 pub const EXPANDED_POWER: i32 = 8;
 /// How deep sums in denominators of sums are taken apart.

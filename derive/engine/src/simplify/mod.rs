@@ -32,4 +32,4 @@ mod tests;
 
 pub use cost::{Cost, cost};
 pub use group::{Options, simplify};
-pub use normalise::normalise;
+pub use normalise::{normalise, normalise_within};

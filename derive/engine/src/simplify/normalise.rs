@@ -19,8 +19,8 @@ pub fn normalise(graph: &mut Graph, e: Expr) -> Expr {
 }
 
 /// [`normalise`] out of the work that a model has left.
-pub(super) fn normalise_within(graph: &mut Graph, e: Expr, left: &mut usize) -> Expr {
-    if !matches!(graph.node(e), Node::Sum { .. } | Node::Product(_)) {
+pub fn normalise_within(graph: &mut Graph, e: Expr, left: &mut usize) -> Expr {
+    if *left == 0 || !matches!(graph.node(e), Node::Sum { .. } | Node::Product(_)) {
         return e;
     }
     let mut best = (rank(graph, e), e);
