@@ -1,6 +1,6 @@
 //! The steps in order, from tokens to tokens.
 
-use crate::projection::{Equations, Simplifier, guards, project};
+use crate::projection::{Equations, Simplifier, TANGENT_PIVOT, guards, messages, project};
 use crate::simplify::{self, limits::PROJECTION_WORK};
 use crate::symbolic::{Expr, Graph};
 use crate::syntax::{Declarations, Diagnostics};
@@ -116,6 +116,12 @@ fn equations(
     if declarations.options.simplify {
         cheapen(&mut equations, &mut forms);
     }
+    if guards::divides_by_zero(&equations) {
+        let mut errors = Diagnostics::new();
+        errors.report(&declarations.ident, messages::division_by_zero_arises());
+        return Err(errors);
+    }
+    guards::drop_cancelled_pivots(&mut equations, TANGENT_PIVOT);
     guards::add_parameter_divisors(&mut equations);
     after(Step::Simplification, equations.graph.len());
     Ok(equations)

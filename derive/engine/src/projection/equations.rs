@@ -111,6 +111,22 @@ impl Equations {
         equations.groups().into_iter().flatten().map(|e| *e).collect()
     }
 
+    /// The functions of the state, guards apart.
+    pub fn state_roots(&self) -> Vec<Expr> {
+        let lists = [
+            &self.coordinate_rates,
+            &self.accelerations,
+            &self.forcing,
+            &self.multipliers,
+            &self.initial_coordinates,
+            &self.velocities,
+            &self.complement_bias,
+        ];
+        let matrices = [&self.mass_matrix, &self.complement];
+        let of_matrices = matrices.into_iter().flat_map(|m| m.entries().iter().copied());
+        lists.into_iter().flatten().copied().chain(of_matrices).collect()
+    }
+
     /// The expressions in groups that are computed together, to be replaced by cheaper ones in place.
     pub fn groups(&mut self) -> Vec<Vec<&mut Expr>> {
         let guards = self.guards.iter_mut().map(|g| &mut g.expr);

@@ -63,6 +63,31 @@ impl Guards {
     }
 }
 
+/// Drops the pivots of the tangent basis that cancelled: where no function of the state divides by anything that is not
+/// another guard, the basis is regular at their zeros, and a run need not stop there.
+pub fn drop_cancelled_pivots(equations: &mut Equations, origin: &str) {
+    let roots = equations.state_roots();
+    let graph = &equations.graph;
+    let mut divisors: Vec<Expr> = Vec::new();
+    for e in graph.reachable(&roots) {
+        if let Node::Product(factors) = graph.node(e) {
+            let below = factors.iter().filter(|(base, k)| *k < 0 && graph.stage(*base) > Stage::Parameter);
+            divisors.extend(below.map(|(base, _)| *base).filter(|base| !graph.bounds(*base).exclude_zero()));
+        }
+    }
+    let others: Vec<Expr> = equations.guards.iter().filter(|g| g.origin != origin).map(|g| g.expr).collect();
+    if divisors.iter().all(|d| others.contains(d)) {
+        equations.guards.retain(|g| g.origin != origin);
+    }
+}
+
+/// Whether some expression divides by the number zero.
+pub fn divides_by_zero(equations: &Equations) -> bool {
+    let graph = &equations.graph;
+    let zero = |e: Expr| matches!(graph.node(e), Node::Product(factors) if factors.iter().any(|(b, k)| *k < 0 && graph.is_zero(*b)));
+    graph.reachable(&equations.roots()).into_iter().any(zero)
+}
+
 /// Adds the parameter-only quantities by which some expression divides, and those that were cancelled on the way.
 pub fn add_parameter_divisors(equations: &mut Equations) {
     let roots = equations.roots();

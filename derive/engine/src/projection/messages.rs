@@ -81,6 +81,13 @@ pub(crate) fn complement_dependent(row: &str) -> String {
     format!("row `{row}` of the complement is a combination of the rows above it")
 }
 
+/// 1/0 after substitution.
+pub(crate) fn division_by_zero_arises() -> String {
+    "the equations of this model divide by zero everywhere: a divisor vanishes once the configuration and the \
+     constraints are put in, or a tangent stands at a quarter turn"
+        .to_owned()
+}
+
 /// M_d is singular, whatever the parameters.
 pub(crate) fn singular_inertia(speed: &str) -> String {
     format!(

@@ -35,7 +35,7 @@ pub mod tangent;
 mod tests;
 
 pub use equations::{Equations, Guard, GuardKind};
-pub use project::project;
+pub use project::{TANGENT_PIVOT, project};
 
 use crate::symbolic::{Expr, Graph};
 

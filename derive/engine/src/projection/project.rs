@@ -15,6 +15,10 @@ use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Matrix, Rational, Stage};
 use crate::syntax::Diagnostics;
 
+/// The origin of a guard that is a pivot of the tangent basis.
+pub const TANGENT_PIVOT: &str =
+    "the others do not follow from the independent speeds, by these pivots, where it vanishes (3.1)";
+
 /// Projects the initial system onto the motions that its constraints leave, or says why it cannot.
 pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Result<Equations, Diagnostics> {
     let mut errors = Diagnostics::new();

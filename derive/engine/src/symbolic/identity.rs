@@ -200,12 +200,19 @@ impl Graph {
         if !order.iter().any(|e| matches!(self.node(*e), Node::Function(Function::Sqrt, _))) {
             return false;
         }
-        (0..24u64).any(|k| {
-            let draw = |s: Symbol| (mix(mix(k) ^ mix(s.index() as u64)) >> 11) as f64 / (1u64 << 53) as f64 * 4.0 - 2.0;
-            let values = self.evaluate_scaled(&[a, b], &draw);
+        // Points near and far: a root may be real only beyond some value.
+        let mut finite = 0;
+        let contradiction = (0..48u64).any(|k| {
+            let reach = [2.0, 30.0, 500.0][(k % 3) as usize];
+            let unit = |s: Symbol| (mix(mix(k) ^ mix(s.index() as u64)) >> 11) as f64 / (1u64 << 53) as f64;
+            let values = self.evaluate_scaled(&[a, b], &|s| reach * (2.0 * unit(s) - 1.0));
             let ((x, sx), (y, sy)) = (values[0], values[1]);
-            x.is_finite() && y.is_finite() && (x - y).abs() > 1e-7 * (sx + sy + 1e-30)
-        })
+            let comparable = x.is_finite() && y.is_finite() && sx.is_finite() && sy.is_finite();
+            finite += usize::from(comparable);
+            comparable && (x - y).abs() > 1e-7 * (sx + sy + 1e-30)
+        });
+        // What was never seen is refused.
+        contradiction || finite == 0
     }
 
     /// Values in double precision, each with the size of the terms that made it: a value far below its size is zero
