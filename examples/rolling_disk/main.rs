@@ -5,6 +5,8 @@
 //! cargo run --release --example rolling_disk
 //! ```
 
+#[path = "../common/mod.rs"]
+mod common;
 mod expansion;
 mod models;
 mod motion;
@@ -12,6 +14,7 @@ mod picture;
 mod printed;
 mod stability;
 
+use common::checks::Checks;
 use holonomy::{ConstrainedSystem, Description};
 use motion::{Disks, Posture};
 use std::path::PathBuf;
@@ -93,28 +96,4 @@ fn derived(title: &str, model: &Description, symbols: &[&str]) {
         println!("  the whole derivative takes {operations} operations and {} sincos", cost.sincos);
     }
     println!();
-}
-
-/// What this run promises; a promise that fails makes the program fail.
-#[derive(Default)]
-struct Checks {
-    failed: usize,
-}
-
-impl Checks {
-    fn below(&mut self, what: &str, value: f64, bound: f64) {
-        println!("  {what}: {value:.2e} (at most {bound:.0e})");
-        self.hold(what, value <= bound);
-    }
-
-    fn hold(&mut self, what: &str, holds: bool) {
-        if !holds {
-            println!("  FAILED: {what}");
-            self.failed += 1;
-        }
-    }
-
-    fn verdict(&self) -> ExitCode {
-        if self.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
-    }
 }
