@@ -6,7 +6,7 @@ mod reactions;
 use core::fmt;
 
 use crate::vector::convert;
-use crate::{ConstrainedSystem, Error, Matrix, Scalar, Vector};
+use crate::{ConstrainedSystem, Error, Scalar};
 
 pub use reactions::Reactions;
 
@@ -92,7 +92,7 @@ impl<M: ConstrainedSystem, T: Scalar> Prepared<M, T> {
         M::derivative(&self.values, t, s, i)
     }
 
-    /// u̇, the solution of M_d u̇ = h_u* (4.10), (5.6).
+    /// u̇, the rates of the state's speeds: the solution of M_d u̇ = h_u* (4.10), (5.6), where nothing binds u̇ alone.
     #[inline]
     pub fn accelerations(&self, t: T, s: &M::State<T>, i: &M::Inputs<T>) -> M::Speeds<T> {
         M::accelerations(&self.values, t, s, i)
@@ -106,13 +106,18 @@ impl<M: ConstrainedSystem, T: Scalar> Prepared<M, T> {
 
     /// h_u* = D (h* − M a_u).
     #[inline]
-    pub fn forcing(&self, t: T, s: &M::State<T>, i: &M::Inputs<T>) -> M::Speeds<T> {
+    pub fn forcing(&self, t: T, s: &M::State<T>, i: &M::Inputs<T>) -> M::Reduced<T> {
         M::forcing(&self.values, t, s, i)
     }
 
     /// M_d and h_u* together.
     #[inline]
-    pub fn mass_matrix_and_forcing(&self, t: T, s: &M::State<T>, i: &M::Inputs<T>) -> (M::MassMatrix<T>, M::Speeds<T>) {
+    pub fn mass_matrix_and_forcing(
+        &self,
+        t: T,
+        s: &M::State<T>,
+        i: &M::Inputs<T>,
+    ) -> (M::MassMatrix<T>, M::Reduced<T>) {
         M::mass_matrix_and_forcing(&self.values, t, s, i)
     }
 
@@ -134,7 +139,7 @@ impl<M: ConstrainedSystem, T: Scalar> Prepared<M, T> {
         M::complement(&self.values, t, s)
     }
 
-    /// a_u, the part of v̇ that does not depend on u̇ (4.5), (5.5).
+    /// a_u, the part of v̇ that does not depend on ν (4.5), (5.5).
     #[inline]
     pub fn complement_bias(&self, t: T, s: &M::State<T>) -> M::Velocities<T> {
         M::complement_bias(&self.values, t, s)
@@ -152,17 +157,10 @@ impl<M: ConstrainedSystem, T: Scalar> Prepared<M, T> {
         M::guards(&self.values, t, s)
     }
 
-    /// v̇ = Dᵀ u̇ + a_u (4.5), (5.5), for all velocities of the initial system.
+    /// v̇ = Dᵀ ν + a_u (4.5), (5.5), for all velocities of the initial system.
+    #[inline]
     pub fn velocity_rates(&self, t: T, s: &M::State<T>, i: &M::Inputs<T>) -> M::Velocities<T> {
-        let complement = self.complement(t, s);
-        let accelerations: <M::Speeds<T> as Vector<T>>::Array = self.accelerations(t, s, i).into();
-        convert(&self.complement_bias(t, s), |column, bias| {
-            accelerations
-                .as_ref()
-                .iter()
-                .enumerate()
-                .fold(bias, |sum, (row, &rate)| sum + complement.entry(row, column) * rate)
-        })
+        M::velocity_rates(&self.values, t, s, i)
     }
 
     /// Kinetic energy plus the potential energy, where the model declares one.
@@ -180,8 +178,8 @@ impl<M: ConstrainedSystem, T: Scalar> Prepared<M, T> {
         self.position_residual(t, &self.coordinates(t, s))
     }
 
-    /// φ, or ḟ of a position row, for every row of C at a state.
-    pub fn velocity_residual_at(&self, t: T, s: &M::State<T>) -> M::Rows<T> {
+    /// φ, or ḟ of a position row, for every row of C that binds velocities, at a state.
+    pub fn velocity_residual_at(&self, t: T, s: &M::State<T>) -> M::VelocityRows<T> {
         self.velocity_residual(t, &self.coordinates(t, s), &self.velocities(t, s))
     }
 

@@ -300,9 +300,10 @@ fn check_velocity<M: ConstrainedSystem>(model: &Prepared<M>, t: f64, s: &M::Stat
     let phi = model.velocity_residual(t, &x, &v).into();
     let sizes = term_sizes(model, t, &x, &v, &|model, t, x, v| model.velocity_residual(t, x, v))?;
     match unmet(phi.as_ref(), &sizes) {
-        Some((row, residual)) => {
-            Err(Error::Unmet { constraint: M::MODEL.rows.get(row).map_or("velocity", |row| row.name), residual })
-        }
+        Some((row, residual)) => Err(Error::Unmet {
+            constraint: M::MODEL.velocity_rows().nth(row).map_or("velocity", |row| row.name),
+            residual,
+        }),
         None => Ok(()),
     }
 }

@@ -17,17 +17,20 @@ pub type State<M, T = f64> = <M as ConstrainedSystem>::State<T>;
 /// values of the parameters, `t` is the time, `s` a state, `i` the inputs; `x` and `v` are coordinates and velocities of the
 /// initial system, which need not satisfy the constraints.
 ///
-/// With n velocities v, m rows of constraints and k = n − m independent speeds u:
+/// With n velocities v, m independent rows of constraints and k = n − m. Position rows and velocity rows that are linear in v
+/// leave the speeds u of the state. Nonlinear velocity rows and acceleration rows bind only their rates u̇, of which k are
+/// independent: ν. Without such rows ν = u̇.
 ///
 /// | symbol | function | shape | equation |
 /// |---|---|---|---|
 /// | A, a0 | `kinematic_matrix`, `kinematic_bias` | n × n, n | ẋ = A v + a0 (2.1) |
 /// | M, h* | `inertia`, `forces` | n × n, n | M v̇ = h* (2.3) |
 /// | C, c0* | `constraint_matrix`, `constraint_bias` | m × n, m | C v̇ + c0* = 0 (2.4) |
-/// | f, φ | `position_residual`, `velocity_residual` | ≤ m, m | (2.5), (2.6) |
+/// | f, φ | `position_residual`, `velocity_residual` | one per row of that level | (2.5), (2.6) |
 /// | D | `complement` | k × n | D Cᵀ = 0 (3.1) |
-/// | a_u | `complement_bias` | n | v̇ = Dᵀ u̇ + a_u (4.5), (5.5) |
-/// | M_d, h_u* | `mass_matrix`, `forcing` | k × k, k | M_d u̇ = h_u* (4.10), (5.6) |
+/// | a_u | `complement_bias` | n | v̇ = Dᵀ ν + a_u (4.5), (5.5) |
+/// | M_d, h_u* | `mass_matrix`, `forcing` | k × k, k | M_d ν = h_u* (4.10), (5.6) |
+/// | u̇, v̇ | `accelerations`, `velocity_rates` | that of u, n | C v̇ + c0* = 0 (2.4) |
 /// | λ | `multipliers` | one per name | M v̇ = h* + Cᵀ λ (2.8), (3.6) |
 pub trait ConstrainedSystem: Sized + Clone {
     /// Names, guards, notes and equations of the model.
@@ -45,12 +48,16 @@ pub trait ConstrainedSystem: Sized + Clone {
     type Inputs<T: Scalar>: Vector<T>;
     /// x, the coordinates of the initial system.
     type Coordinates<T: Scalar>: Vector<T>;
-    /// u, the independent speeds.
+    /// u, the speeds of the state.
     type Speeds<T: Scalar>: Vector<T>;
+    /// ν, the independent accelerations, k of them.
+    type Reduced<T: Scalar>: Vector<T>;
     /// One figure per entry of [`Description::guards`].
     type Guards<T: Scalar>: Vector<T>;
     /// One figure per row of C.
     type Rows<T: Scalar>: Vector<T>;
+    /// One figure per row of C that binds velocities; see [`Description::velocity_rows`].
+    type VelocityRows<T: Scalar>: Vector<T>;
     /// One figure per position row.
     type PositionRows<T: Scalar>: Vector<T>;
     /// The parameters, the work that depends on them alone, and the fields that are no scalars.
@@ -78,14 +85,14 @@ pub trait ConstrainedSystem: Sized + Clone {
         i: &Self::Inputs<T>,
     ) -> (Self::State<T>, Self::Guards<T>);
 
-    /// u̇, the solution of M_d u̇ = h_u*.
+    /// u̇: the solution of M_d u̇ = h_u*, where nothing binds u̇ alone.
     fn accelerations<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>, i: &Self::Inputs<T>) -> Self::Speeds<T>;
 
     /// M_d = D M Dᵀ, k × k.
     fn mass_matrix<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>) -> Self::MassMatrix<T>;
 
     /// h_u* = D (h* − M a_u).
-    fn forcing<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>, i: &Self::Inputs<T>) -> Self::Speeds<T>;
+    fn forcing<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>, i: &Self::Inputs<T>) -> Self::Reduced<T>;
 
     /// M_d and h_u* together; the work that they share is done once.
     fn mass_matrix_and_forcing<T: Scalar>(
@@ -93,7 +100,7 @@ pub trait ConstrainedSystem: Sized + Clone {
         t: T,
         s: &Self::State<T>,
         i: &Self::Inputs<T>,
-    ) -> (Self::MassMatrix<T>, Self::Speeds<T>);
+    ) -> (Self::MassMatrix<T>, Self::Reduced<T>);
 
     /// x of the state (4.2).
     fn coordinates<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>) -> Self::Coordinates<T>;
@@ -104,8 +111,16 @@ pub trait ConstrainedSystem: Sized + Clone {
     /// D, k × n.
     fn complement<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>) -> Self::Complement<T>;
 
-    /// a_u, the part of v̇ that does not depend on u̇.
+    /// a_u, the part of v̇ that does not depend on ν.
     fn complement_bias<T: Scalar>(p: &Self::Values<T>, t: T, s: &Self::State<T>) -> Self::Velocities<T>;
+
+    /// v̇ = Dᵀ ν + a_u, for all velocities of the initial system.
+    fn velocity_rates<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &Self::State<T>,
+        i: &Self::Inputs<T>,
+    ) -> Self::Velocities<T>;
 
     /// λ (3.6), all constraints acting.
     fn multipliers<T: Scalar>(
@@ -155,13 +170,13 @@ pub trait ConstrainedSystem: Sized + Clone {
     /// f of every position row.
     fn position_residual<T: Scalar>(p: &Self::Values<T>, t: T, x: &Self::Coordinates<T>) -> Self::PositionRows<T>;
 
-    /// φ, or ḟ of a position row, for every row of C.
+    /// φ, or ḟ of a position row, for every row of C that binds velocities.
     fn velocity_residual<T: Scalar>(
         p: &Self::Values<T>,
         t: T,
         x: &Self::Coordinates<T>,
         v: &Self::Velocities<T>,
-    ) -> Self::Rows<T>;
+    ) -> Self::VelocityRows<T>;
 
     /// ½ vᵀ M v.
     fn kinetic_energy<T: Scalar>(p: &Self::Values<T>, t: T, x: &Self::Coordinates<T>, v: &Self::Velocities<T>) -> T;

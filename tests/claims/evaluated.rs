@@ -140,7 +140,7 @@ impl Evaluated<'_> {
             complement: matrix(&e.complement, state(e.complement.entries())),
             complement_bias: state(&e.complement_bias),
             multipliers,
-            row_names: e.row_names.clone(),
+            row_names: e.row_names(),
             constraint_matrix: matrix(&e.constraint_matrix, initial(e.constraint_matrix.entries())),
             constraint_bias: initial(&e.constraint_bias),
             velocity_residual: initial(&e.velocity_residual),

@@ -75,7 +75,9 @@ pub fn known(declarations: &Declarations) -> Known {
         inputs: text(&declarations.inputs),
         parameters: scalars.map(|field| field.ident.to_string()).collect(),
         guards: 0,
+        reduced: 0,
         rows: declarations.constraints.len(),
+        velocity_rows: 0,
         position_rows: 0,
     }
 }

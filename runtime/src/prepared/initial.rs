@@ -46,9 +46,10 @@ impl<M: ConstrainedSystem, T: Scalar> Prepared<M, T> {
         M::position_residual(self.values(), t, x)
     }
 
-    /// φ, or ḟ of a position row, for every row of C.
+    /// φ, or ḟ of a position row, for every row of C that binds velocities
+    /// ([`Description::velocity_rows`](crate::Description::velocity_rows)).
     #[inline]
-    pub fn velocity_residual(&self, t: T, x: &M::Coordinates<T>, v: &M::Velocities<T>) -> M::Rows<T> {
+    pub fn velocity_residual(&self, t: T, x: &M::Coordinates<T>, v: &M::Velocities<T>) -> M::VelocityRows<T> {
         M::velocity_residual(self.values(), t, x, v)
     }
 

@@ -20,8 +20,11 @@ pub struct Description {
     pub coordinates: &'static [&'static str],
     /// The coordinates in the state: x, or the independent q of a `configuration`.
     pub state_coordinates: &'static [&'static str],
-    /// u, the independent speeds in the state.
+    /// u, the speeds in the state. They are independent but for rows that only bind accelerations.
     pub state_speeds: &'static [&'static str],
+    /// The speeds of the state whose rates are the independent accelerations ν of `mass_matrix` and `forcing`: all of them,
+    /// unless there are nonlinear velocity rows or acceleration rows.
+    pub reduced_speeds: &'static [&'static str],
     /// v, the velocities of the initial system.
     pub velocities: &'static [&'static str],
     /// The parameters.
@@ -46,6 +49,21 @@ pub struct Description {
     pub operations: &'static [FunctionCost],
 }
 
+impl Description {
+    /// The rows of C that bind velocities, in the order of `velocity_residual`: all but acceleration rows.
+    ///
+    /// ```
+    /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+    /// # use models::Pendulum;
+    /// use holonomy::ConstrainedSystem;
+    ///
+    /// assert_eq!(Pendulum::MODEL.velocity_rows().next().unwrap().name, "rod");
+    /// ```
+    pub fn velocity_rows(&self) -> impl Iterator<Item = &'static RowInfo> + use<> {
+        self.rows.iter().filter(|row| row.level != Level::Acceleration)
+    }
+}
+
 /// One row of C.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct RowInfo {
@@ -53,6 +71,11 @@ pub struct RowInfo {
     pub name: &'static str,
     /// The level at which it was declared.
     pub level: Level,
+    /// Whether it is linear in what it binds; position rows count by their derivative. A row that is not binds the velocities
+    /// of the state, which is brought back onto φ = 0, and acts along ∂φ/∂v (Chetaev).
+    pub linear: bool,
+    /// Whether it depends on other rows and is kept, as the model asks; λ is then the one of least norm.
+    pub redundant: bool,
 }
 
 /// The level at which a constraint binds.
@@ -62,6 +85,8 @@ pub enum Level {
     Position,
     /// φ(v, x, t) = 0.
     Velocity,
+    /// C v̇ + c0* = 0.
+    Acceleration,
 }
 
 /// One multiplier.
@@ -82,6 +107,8 @@ pub struct GuardInfo {
     pub kind: GuardKind,
     /// Where it comes from.
     pub origin: &'static str,
+    /// The constraints that it comes from, where it comes from some.
+    pub rows: &'static [&'static str],
 }
 
 /// What a guard must satisfy.

@@ -33,17 +33,18 @@ impl ConstrainedSystem for Bead {
         coordinates: &["x", "y"],
         state_coordinates: &["x", "y"],
         state_speeds: &["dot_x"],
+        reduced_speeds: &["dot_x"],
         velocities: &["dot_x", "dot_y"],
         parameters: &["m", "w", "g"],
         inputs: &[],
-        rows: &[RowInfo { name: "rod", level: Level::Position }],
+        rows: &[RowInfo { name: "rod", level: Level::Position, linear: true, redundant: false }],
         position_rows: &["rod", "again"],
         multipliers: &[
             MultiplierInfo { name: "rod", row: Some(0) },
             MultiplierInfo { name: "again", row: Some(0) },
             MultiplierInfo { name: "nowhere", row: None },
         ],
-        guards: &[GuardInfo { name: "cos(w*t)", kind: GuardKind::Pivot, origin: "pivot of the row `rod`" }],
+        guards: &[GuardInfo { name: "cos(w*t)", kind: GuardKind::Pivot, origin: "pivot of the row `rod`", rows: &["rod"] }],
         parameter_guards: &[],
         notes: &[],
         equations: &[],
@@ -56,8 +57,10 @@ impl ConstrainedSystem for Bead {
     type Inputs<T: Scalar> = [T; 0];
     type Coordinates<T: Scalar> = [T; 2];
     type Speeds<T: Scalar> = [T; 1];
+    type Reduced<T: Scalar> = [T; 1];
     type Guards<T: Scalar> = [T; 1];
     type Rows<T: Scalar> = [T; 1];
+    type VelocityRows<T: Scalar> = [T; 1];
     type PositionRows<T: Scalar> = [T; 2];
     type Values<T: Scalar> = BeadParameters<T>;
     type MassMatrix<T: Scalar> = SMatrix<T, 1, 1>;
@@ -108,6 +111,10 @@ impl ConstrainedSystem for Bead {
         let v = Self::velocities(p, t, s);
         let [bias] = Self::constraint_bias(p, t, &[s.x, s.y], &v);
         BeadVelocities { dot_x: T::default(), dot_y: -(bias / turn(p, t).1) }
+    }
+    fn velocity_rates<T: Scalar>(p: &Self::Values<T>, t: T, s: &BeadState<T>, i: &[T; 0]) -> BeadVelocities<T> {
+        let ([u], d, a) = (Self::accelerations(p, t, s, i), Self::complement(p, t, s), Self::complement_bias(p, t, s));
+        BeadVelocities { dot_x: u + a.dot_x, dot_y: d[(0, 1)] * u + a.dot_y }
     }
     fn multipliers<T: Scalar>(p: &Self::Values<T>, t: T, s: &BeadState<T>, _: &[T; 0]) -> BeadMultipliers<T> {
         let (_, cos) = turn(p, t);

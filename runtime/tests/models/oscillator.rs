@@ -31,14 +31,15 @@ impl ConstrainedSystem for Oscillator {
         coordinates: &["x"],
         state_coordinates: &["x"],
         state_speeds: &["dot_x"],
+        reduced_speeds: &["dot_x"],
         velocities: &["dot_x"],
         parameters: &["m", "a", "k", "c", "b"],
         inputs: &["tau"],
         rows: &[],
         position_rows: &[],
         multipliers: &[],
-        guards: &[GuardInfo { name: "m*(1 + a*x)", kind: GuardKind::Positive, origin: "pivot of M_d" }],
-        parameter_guards: &[GuardInfo { name: "m", kind: GuardKind::Pivot, origin: "divided by" }],
+        guards: &[GuardInfo { name: "m*(1 + a*x)", kind: GuardKind::Positive, origin: "pivot of M_d", rows: &[] }],
+        parameter_guards: &[GuardInfo { name: "m", kind: GuardKind::Pivot, origin: "divided by", rows: &[] }],
         notes: &[],
         equations: &[],
         operations: &[],
@@ -50,8 +51,10 @@ impl ConstrainedSystem for Oscillator {
     type Inputs<T: Scalar> = OscillatorInputs<T>;
     type Coordinates<T: Scalar> = [T; 1];
     type Speeds<T: Scalar> = [T; 1];
+    type Reduced<T: Scalar> = [T; 1];
     type Guards<T: Scalar> = [T; 1];
     type Rows<T: Scalar> = [T; 0];
+    type VelocityRows<T: Scalar> = [T; 0];
     type PositionRows<T: Scalar> = [T; 0];
     type Values<T: Scalar> = OscillatorParameters<T>;
     type MassMatrix<T: Scalar> = SMatrix<T, 1, 1>;
@@ -95,6 +98,10 @@ impl ConstrainedSystem for Oscillator {
     }
     fn complement_bias<T: Scalar>(_: &Self::Values<T>, _: T, _: &OscillatorState<T>) -> OscillatorVelocities<T> {
         OscillatorVelocities::default()
+    }
+    fn velocity_rates<T: Scalar>(p: &Self::Values<T>, t: T, s: &OscillatorState<T>, i: &OscillatorInputs<T>) -> OscillatorVelocities<T> {
+        let [dot_x] = Self::accelerations(p, t, s, i);
+        OscillatorVelocities { dot_x }
     }
     fn multipliers<T: Scalar>(_: &Self::Values<T>, _: T, _: &OscillatorState<T>, _: &OscillatorInputs<T>) -> [T; 0] {
         []

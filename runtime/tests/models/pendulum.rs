@@ -54,14 +54,15 @@ impl ConstrainedSystem for Pendulum {
         coordinates: &["x", "y"],
         state_coordinates: &["x", "y"],
         state_speeds: &["dot_x"],
+        reduced_speeds: &["dot_x"],
         velocities: &["dot_x", "dot_y"],
         parameters: &["m", "l", "g"],
         inputs: &[],
-        rows: &[RowInfo { name: "rod", level: Level::Position }],
+        rows: &[RowInfo { name: "rod", level: Level::Position, linear: true, redundant: false }],
         position_rows: &["rod"],
         multipliers: &[MultiplierInfo { name: "rod", row: Some(0) }],
-        guards: &[GuardInfo { name: "y", kind: GuardKind::Pivot, origin: "pivot of the row `rod`" }],
-        parameter_guards: &[GuardInfo { name: "m", kind: GuardKind::Positive, origin: "pivot of M" }],
+        guards: &[GuardInfo { name: "y", kind: GuardKind::Pivot, origin: "pivot of the row `rod`", rows: &["rod"] }],
+        parameter_guards: &[GuardInfo { name: "m", kind: GuardKind::Positive, origin: "pivot of M", rows: &[] }],
         notes: &["dot_x is independent"],
         equations: &[],
         operations: &[],
@@ -73,8 +74,10 @@ impl ConstrainedSystem for Pendulum {
     type Inputs<T: Scalar> = [T; 0];
     type Coordinates<T: Scalar> = [T; 2];
     type Speeds<T: Scalar> = [T; 1];
+    type Reduced<T: Scalar> = [T; 1];
     type Guards<T: Scalar> = [T; 1];
     type Rows<T: Scalar> = [T; 1];
+    type VelocityRows<T: Scalar> = [T; 1];
     type PositionRows<T: Scalar> = [T; 1];
     type Values<T: Scalar> = PendulumParameters<T>;
     type MassMatrix<T: Scalar> = SMatrix<T, 1, 1>;
@@ -122,6 +125,10 @@ impl ConstrainedSystem for Pendulum {
     fn complement_bias<T: Scalar>(p: &Self::Values<T>, t: T, s: &PendulumState<T>) -> PendulumVelocities<T> {
         let v = Self::velocities(p, t, s);
         PendulumVelocities { dot_x: T::default(), dot_y: -((v.dot_x * v.dot_x + v.dot_y * v.dot_y) / s.y) }
+    }
+    fn velocity_rates<T: Scalar>(p: &Self::Values<T>, t: T, s: &PendulumState<T>, i: &[T; 0]) -> PendulumVelocities<T> {
+        let ([u], d, a) = (Self::accelerations(p, t, s, i), Self::complement(p, t, s), Self::complement_bias(p, t, s));
+        PendulumVelocities { dot_x: u + a.dot_x, dot_y: d[(0, 1)] * u + a.dot_y }
     }
     fn multipliers<T: Scalar>(p: &Self::Values<T>, t: T, s: &PendulumState<T>, _: &[T; 0]) -> PendulumMultipliers<T> {
         let v = Self::velocities(p, t, s);

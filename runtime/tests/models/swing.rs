@@ -19,7 +19,8 @@ impl ConstrainedSystem for Swing {
         name: "Swing",
         state_coordinates: &["alpha"],
         state_speeds: &["dot_alpha"],
-        guards: &[GuardInfo { name: "m*l*l", kind: GuardKind::Positive, origin: "pivot of M_d" }],
+        reduced_speeds: &["dot_alpha"],
+        guards: &[GuardInfo { name: "m*l*l", kind: GuardKind::Positive, origin: "pivot of M_d", rows: &[] }],
         ..*Pendulum::MODEL
     };
     type State<T: Scalar> = SwingState<T>;
@@ -29,8 +30,10 @@ impl ConstrainedSystem for Swing {
     type Inputs<T: Scalar> = [T; 0];
     type Coordinates<T: Scalar> = [T; 2];
     type Speeds<T: Scalar> = [T; 1];
+    type Reduced<T: Scalar> = [T; 1];
     type Guards<T: Scalar> = [T; 1];
     type Rows<T: Scalar> = [T; 1];
+    type VelocityRows<T: Scalar> = [T; 1];
     type PositionRows<T: Scalar> = [T; 1];
     type Values<T: Scalar> = PendulumParameters<T>;
     type MassMatrix<T: Scalar> = SMatrix<T, 1, 1>;
@@ -77,6 +80,10 @@ impl ConstrainedSystem for Swing {
         let (sin, cos) = s.alpha.sin_cos();
         let square = s.dot_alpha * s.dot_alpha * p.l;
         PendulumVelocities { dot_x: -(sin * square), dot_y: cos * square }
+    }
+    fn velocity_rates<T: Scalar>(p: &Self::Values<T>, t: T, s: &SwingState<T>, i: &[T; 0]) -> PendulumVelocities<T> {
+        let ([u], d, a) = (Self::accelerations(p, t, s, i), Self::complement(p, t, s), Self::complement_bias(p, t, s));
+        PendulumVelocities { dot_x: d[(0, 0)] * u + a.dot_x, dot_y: d[(0, 1)] * u + a.dot_y }
     }
     fn multipliers<T: Scalar>(p: &Self::Values<T>, _: T, s: &SwingState<T>, _: &[T; 0]) -> PendulumMultipliers<T> {
         let square = s.dot_alpha * s.dot_alpha * p.l;

@@ -3,7 +3,7 @@
 use super::shape::Types;
 use super::target::Target;
 use crate::program::{Count, Programs};
-use crate::projection::{Equations, Guard, GuardKind};
+use crate::projection::{Equations, Guard, GuardKind, Level};
 use crate::symbolic::{Expr, Matrix};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -70,6 +70,7 @@ impl Texts {
         c.each("velocities", number("(4.4)", "(5.3)"), names(&e.speeds), &e.velocities);
         c.matrix("complement", "D", number("(4.9)", "(3.1)"), &e.complement);
         c.list("complement_bias", "a_u", number("(4.5)", "(5.5)"), &e.complement_bias);
+        c.each("velocity_rates", number("(4.5)", "(5.5)"), c.dots(&e.speeds), &e.velocity_rates);
         let lambdas = e.multiplier_names.iter().map(|n| format!("lambda({n})")).collect();
         c.each("multipliers", "(3.6)", lambdas, &e.multipliers);
         c.matrix("kinematic_matrix", "A", "(2.1)", &e.kinematic_matrix);
@@ -80,7 +81,7 @@ impl Texts {
         c.list("constraint_bias", "c0*", "(2.6)", &e.constraint_bias);
         let residuals = e.position_names.iter().map(|n| format!("f({n})")).collect();
         c.each("position_residual", "(2.5)", residuals, &e.position_residual);
-        let residuals = e.row_names.iter().map(|n| format!("phi({n})")).collect();
+        let residuals = e.velocity_row_names().iter().map(|n| format!("phi({n})")).collect();
         c.each("velocity_residual", "(2.5)", residuals, &e.velocity_residual);
         c.each("kinetic_energy", "", vec!["T".to_owned()], &[e.kinetic_energy]);
         let potential: Vec<Expr> = e.potential_energy.into_iter().collect();
@@ -106,11 +107,18 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
     let known = &types.known;
     let (q, u) = known.state.split_at(known.state_coordinates);
     let (x, v, parameters, inputs) = (&known.coordinates, &known.velocities, &known.parameters, &known.inputs);
-    let rows = e.row_names.iter().map(|name| {
-        let position = e.position_names.contains(name);
-        let level = if position { quote!(Position) } else { quote!(Velocity) };
-        quote!(#krate::RowInfo { name: #name, level: #krate::Level::#level })
+    let rows = e.rows.iter().map(|row| {
+        let level = match row.level {
+            Level::Position => quote!(Position),
+            Level::Velocity => quote!(Velocity),
+            Level::Acceleration => quote!(Acceleration),
+        };
+        let (name, linear, redundant) = (&row.name, row.linear, row.redundant);
+        quote! {
+            #krate::RowInfo { name: #name, level: #krate::Level::#level, linear: #linear, redundant: #redundant }
+        }
     });
+    let reduced = e.reduced_speeds.iter().map(|s| e.graph.name(*s));
     let multipliers = e.multiplier_names.iter().zip(&e.multiplier_rows).map(|(name, row)| {
         let row = match row {
             Some(row) => {
@@ -138,6 +146,7 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
             coordinates: &[#(#x),*],
             state_coordinates: &[#(#q),*],
             state_speeds: &[#(#u),*],
+            reduced_speeds: &[#(#reduced),*],
             velocities: &[#(#v),*],
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
@@ -166,6 +175,7 @@ pub fn bare(target: &Target, types: &Types) -> TokenStream {
             coordinates: &[#(#x),*],
             state_coordinates: &[#(#q),*],
             state_speeds: &[#(#u),*],
+            reduced_speeds: &[],
             velocities: &[#(#v),*],
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
@@ -183,12 +193,12 @@ pub fn bare(target: &Target, types: &Types) -> TokenStream {
 
 fn guard(target: &Target, guard: &Guard) -> TokenStream {
     let krate = &target.krate;
-    let (name, origin) = (&guard.name, &guard.origin);
+    let (name, origin, rows) = (&guard.name, &guard.origin, &guard.rows);
     let kind = match guard.kind {
         GuardKind::Pivot => quote!(Pivot),
         GuardKind::Positive => quote!(Positive),
     };
-    quote!(#krate::GuardInfo { name: #name, kind: #krate::GuardKind::#kind, origin: #origin })
+    quote!(#krate::GuardInfo { name: #name, kind: #krate::GuardKind::#kind, origin: #origin, rows: &[#(#rows),*] })
 }
 
 fn cost(target: &Target, function: &str, count: &Count) -> TokenStream {

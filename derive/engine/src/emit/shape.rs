@@ -26,8 +26,12 @@ pub struct Known {
     pub parameters: Vec<String>,
     /// How many guards.
     pub guards: usize,
+    /// How many independent accelerations there are.
+    pub reduced: usize,
     /// How many rows C has.
     pub rows: usize,
+    /// How many of them bind velocities.
+    pub velocity_rows: usize,
     /// How many position constraints there are.
     pub position_rows: usize,
 }
@@ -47,7 +51,9 @@ impl Known {
             inputs: names(&equations.inputs),
             parameters: names(&equations.parameters),
             guards: equations.guards.len(),
-            rows: equations.row_names.len(),
+            reduced: equations.reduced_speeds.len(),
+            rows: equations.rows.len(),
+            velocity_rows: equations.velocity_residual.len(),
             position_rows: equations.position_names.len(),
         }
     }

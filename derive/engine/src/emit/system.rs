@@ -36,12 +36,12 @@ pub fn diverging(target: &Target, known: &Known) -> TokenStream {
     structs.definitions.extend(placeholders(target, &types));
     let krate = &target.krate;
     let scalar = &types.scalar;
-    let (k, n, m) = (known.state.len().saturating_sub(known.state_coordinates), known.velocities.len(), known.rows);
-    let x = known.coordinates.len();
+    let speeds = known.state.len().saturating_sub(known.state_coordinates);
+    let (k, n, m, x) = (known.reduced, known.velocities.len(), known.rows, known.coordinates.len());
     use Arguments::{Coordinates, CoordinatesVelocities, CoordinatesVelocitiesInputs, State, StateInputs};
-    let all: [(&str, Arguments, Vec<Shape>); 21] = [
+    let all: [(&str, Arguments, Vec<Shape>); 22] = [
         ("derivative", StateInputs, vec![Shape::State, Shape::Array(known.guards)]),
-        ("accelerations", StateInputs, vec![Shape::Array(k)]),
+        ("accelerations", StateInputs, vec![Shape::Array(speeds)]),
         ("mass_matrix", State, vec![Shape::Matrix(k, k)]),
         ("forcing", StateInputs, vec![Shape::Array(k)]),
         ("mass_matrix_and_forcing", StateInputs, vec![Shape::Matrix(k, k), Shape::Array(k)]),
@@ -49,6 +49,7 @@ pub fn diverging(target: &Target, known: &Known) -> TokenStream {
         ("velocities", State, vec![Shape::Velocities]),
         ("complement", State, vec![Shape::Matrix(k, n)]),
         ("complement_bias", State, vec![Shape::Velocities]),
+        ("velocity_rates", StateInputs, vec![Shape::Velocities]),
         ("multipliers", StateInputs, vec![Shape::Multipliers]),
         ("guards", State, vec![Shape::Array(known.guards)]),
         ("kinematic_matrix", Coordinates, vec![Shape::Matrix(n, n)]),
@@ -58,7 +59,7 @@ pub fn diverging(target: &Target, known: &Known) -> TokenStream {
         ("constraint_matrix", CoordinatesVelocities, vec![Shape::Matrix(m, n)]),
         ("constraint_bias", CoordinatesVelocities, vec![Shape::Array(m)]),
         ("position_residual", Coordinates, vec![Shape::Array(known.position_rows)]),
-        ("velocity_residual", CoordinatesVelocities, vec![Shape::Array(m)]),
+        ("velocity_residual", CoordinatesVelocities, vec![Shape::Array(known.velocity_rows)]),
         ("kinetic_energy", CoordinatesVelocities, vec![Shape::Scalar]),
         ("potential_energy", Coordinates, vec![Shape::Optional(false)]),
     ];
@@ -117,9 +118,10 @@ fn block(target: &Target, types: &Types, model: &TokenStream, functions: &TokenS
         let (rows, columns) = (Literal::usize_unsuffixed(rows), Literal::usize_unsuffixed(columns));
         quote!(#krate::__private::SMatrix<#t, #rows, #columns>)
     };
-    let (k, n, m) = (known.state.len().saturating_sub(known.state_coordinates), known.velocities.len(), known.rows);
-    let (coordinates, speeds, guards) = (array(known.coordinates.len()), array(k), array(known.guards));
-    let (rows, positions) = (array(m), array(known.position_rows));
+    let (k, n, m) = (known.reduced, known.velocities.len(), known.rows);
+    let speeds = array(known.state.len().saturating_sub(known.state_coordinates));
+    let (coordinates, reduced, guards) = (array(known.coordinates.len()), array(k), array(known.guards));
+    let (rows, velocity_rows, positions) = (array(m), array(known.velocity_rows), array(known.position_rows));
     let (mass, system, constraint, complement) = (matrix(k, k), matrix(n, n), matrix(m, n), matrix(k, n));
     quote! {
         #[automatically_derived]
@@ -133,8 +135,10 @@ fn block(target: &Target, types: &Types, model: &TokenStream, functions: &TokenS
             type Inputs<#t: #krate::Scalar> = #inputs;
             type Coordinates<#t: #krate::Scalar> = #coordinates;
             type Speeds<#t: #krate::Scalar> = #speeds;
+            type Reduced<#t: #krate::Scalar> = #reduced;
             type Guards<#t: #krate::Scalar> = #guards;
             type Rows<#t: #krate::Scalar> = #rows;
+            type VelocityRows<#t: #krate::Scalar> = #velocity_rows;
             type PositionRows<#t: #krate::Scalar> = #positions;
             type Values<#t: #krate::Scalar> = #values;
             type MassMatrix<#t: #krate::Scalar> = #mass;

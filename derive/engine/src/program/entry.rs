@@ -101,7 +101,7 @@ pub fn entries(equations: &Equations) -> Vec<Entry> {
         array(&roots, labels)
     };
     let mass = || matrix(&e.mass_matrix, "m");
-    let forcing = || array(&e.forcing, prefixed("h", &u));
+    let forcing = || array(&e.forcing, prefixed("h", &e.reduced_speeds.iter().map(name).collect::<Vec<_>>()));
     let accelerations = || array(&e.accelerations, rates_of(&u));
     let velocities = |roots: &[Expr], labels| Output { shape: Shape::Velocities, roots: roots.to_vec(), labels };
     use Arguments::{Coordinates, CoordinatesVelocities, CoordinatesVelocitiesInputs, State, StateInputs};
@@ -123,22 +123,28 @@ pub fn entries(equations: &Equations) -> Vec<Entry> {
         two(
             "derivative",
             StateInputs,
-            "The state's rate: ẋ = A v + a0 (2.1), (5.7), then u̇ from M_d u̇ = h_u* (4.10), (5.6); and the guards.",
+            "The state's rate: ẋ = A v + a0 (2.1), (5.7), then u̇ of (4.10), (5.6); and the guards.",
             derivative,
             guards(),
         ),
-        one("accelerations", StateInputs, "u̇, the solution of M_d u̇ = h_u* (4.10), (5.6).", accelerations()),
+        one("accelerations", StateInputs, "u̇ of M v̇ = h* + Cᵀ λ (2.8), by (4.10) and (5.6).", accelerations()),
         one("mass_matrix", State, "M_d = D M Dᵀ (4.10).", mass()),
         one("forcing", StateInputs, "h_u* = D (h* − M a_u) (4.10), (5.6).", forcing()),
-        two("mass_matrix_and_forcing", StateInputs, "M_d and h_u* of M_d u̇ = h_u* (4.10), (5.6).", mass(), forcing()),
+        two("mass_matrix_and_forcing", StateInputs, "M_d and h_u* of M_d ν = h_u* (4.10), (5.6).", mass(), forcing()),
         one("coordinates", State, "x of the state (4.2).", array(&e.initial_coordinates, x.clone())),
         one("velocities", State, "v = Dᵀ u + v_p of the state (4.4), (5.3).", velocities(&e.velocities, v.clone())),
         one("complement", State, "D, with D Cᵀ = 0 (3.1), (4.9).", matrix(&e.complement, "d")),
         one(
             "complement_bias",
             State,
-            "a_u of v̇ = Dᵀ u̇ + a_u (4.5), (5.5).",
+            "a_u of v̇ = Dᵀ ν + a_u (4.5), (5.5).",
             velocities(&e.complement_bias, prefixed("a", &v)),
+        ),
+        one(
+            "velocity_rates",
+            StateInputs,
+            "v̇ = Dᵀ ν + a_u (4.5), (5.5), for all velocities.",
+            velocities(&e.velocity_rates, rates_of(&v)),
         ),
         one("multipliers", StateInputs, "λ of M v̇ = h* + Cᵀ λ (2.8), (3.6), all constraints acting.", multipliers),
         one("guards", State, "The figures that must keep their sign for the state to be a regular one.", guards()),
@@ -151,7 +157,7 @@ pub fn entries(equations: &Equations) -> Vec<Entry> {
             "constraint_bias",
             CoordinatesVelocities,
             "c0* of C v̇ + c0* = 0 (2.4), (2.6).",
-            array(&e.constraint_bias, prefixed("c0", &e.row_names)),
+            array(&e.constraint_bias, prefixed("c0", &e.row_names())),
         ),
         one(
             "position_residual",
@@ -162,8 +168,8 @@ pub fn entries(equations: &Equations) -> Vec<Entry> {
         one(
             "velocity_residual",
             CoordinatesVelocities,
-            "φ, or ḟ of a position constraint, for every row of C (2.5).",
-            array(&e.velocity_residual, prefixed("phi", &e.row_names)),
+            "φ, or ḟ of a position constraint, for every row of C that binds velocities (2.5).",
+            array(&e.velocity_residual, prefixed("phi", &e.velocity_row_names())),
         ),
         one("kinetic_energy", CoordinatesVelocities, "½ vᵀ M v.", kinetic),
         one("potential_energy", Coordinates, "The potential energy, where the model gives one.", potential),

@@ -181,6 +181,7 @@ fn parameter_guards(graph: &Graph, equations: &Equations) -> Vec<Guard> {
         name,
         kind: GuardKind::Pivot,
         origin: "the equations divide by it".to_owned(),
+        rows: Vec::new(),
     }));
     guards
 }

@@ -22,12 +22,38 @@ pub struct Guard {
     pub kind: GuardKind,
     /// Where it comes from, in words.
     pub origin: String,
+    /// The names of the constraints that it comes from.
+    pub rows: Vec<String>,
+}
+
+/// What a row of C binds.
+#[derive(Copy, Clone, PartialEq, Eq, Debug)]
+pub enum Level {
+    /// Coordinates: f(x, t) = 0.
+    Position,
+    /// Velocities: φ(v, x, t) = 0.
+    Velocity,
+    /// Accelerations alone: C v̇ + c0* = 0.
+    Acceleration,
+}
+
+/// What is known of a row of C.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct RowFacts {
+    /// The constraint's name.
+    pub name: String,
+    /// What it binds.
+    pub level: Level,
+    /// Whether it is linear in that: nonlinear velocity rows are not.
+    pub linear: bool,
+    /// Whether it depends on other rows and stands here because the model says so.
+    pub redundant: bool,
 }
 
 /// The equations of motion and everything that goes with them.
 ///
-/// n speeds v, m rows of C, k = n - m independent speeds u. Functions of the state know t, the state's coordinates,
-/// u, inputs and parameters; functions of the initial system know t, x, v, inputs and parameters, and x and v need not
+/// n speeds v, m independent rows of C, k = n - m independent accelerations. Functions of the state know t, the state's
+/// coordinates, u, inputs and parameters; functions of the initial system know t, x, v, inputs and parameters, and x and v need not
 /// satisfy the constraints.
 #[derive(Clone, Debug)]
 pub struct Equations {
@@ -41,8 +67,11 @@ pub struct Equations {
     pub inputs: Vec<Symbol>,
     /// Coordinates of the state: q with a configuration (4.2), else x.
     pub state_coordinates: Vec<Symbol>,
-    /// The independent speeds u, k of them.
+    /// The speeds u of the state, which position rows and linear velocity rows leave.
     pub state_speeds: Vec<Symbol>,
+    /// The speeds whose rates are the independent accelerations ν, k of them: all of the state's, unless there are rows
+    /// that bind only u̇.
+    pub reduced_speeds: Vec<Symbol>,
     /// x, the coordinates of the initial system.
     pub coordinates: Vec<Symbol>,
     /// v, the speeds of the initial system, n of them.
@@ -50,7 +79,7 @@ pub struct Equations {
 
     /// Rates of the state's coordinates (5.7), (4.3).
     pub coordinate_rates: Vec<Expr>,
-    /// u̇, M_d eliminated.
+    /// u̇, solved for.
     pub accelerations: Vec<Expr>,
     /// M_d = D M Dᵀ, k x k (4.10).
     pub mass_matrix: Matrix,
@@ -62,8 +91,10 @@ pub struct Equations {
     pub velocities: Vec<Expr>,
     /// D, k x n: D Cᵀ = 0 (3.1), (4.9).
     pub complement: Matrix,
-    /// a_u, n: v̇ = Dᵀ u̇ + a_u (4.5), (5.5).
+    /// a_u, n: v̇ = Dᵀ ν + a_u (4.5), (5.5).
     pub complement_bias: Vec<Expr>,
+    /// v̇, n.
+    pub velocity_rates: Vec<Expr>,
     /// λ, one for each name in `multiplier_names` (3.6); M v̇ = h* + Cᵀ λ.
     pub multipliers: Vec<Expr>,
     /// Divisors that depend on the state.
@@ -85,15 +116,15 @@ pub struct Equations {
     pub constraint_bias: Vec<Expr>,
     /// f of every position row.
     pub position_residual: Vec<Expr>,
-    /// φ, or ḟ, of every row of C.
+    /// φ, or ḟ, of every row of C that binds velocities.
     pub velocity_residual: Vec<Expr>,
     /// T = vᵀ M v / 2.
     pub kinetic_energy: Expr,
     /// V, where the model gives it.
     pub potential_energy: Option<Expr>,
 
-    /// Names of the rows of C.
-    pub row_names: Vec<String>,
+    /// The rows of C.
+    pub rows: Vec<RowFacts>,
     /// Names of the position rows.
     pub position_names: Vec<String>,
     /// Names of the multipliers.
@@ -105,6 +136,17 @@ pub struct Equations {
 }
 
 impl Equations {
+    /// Names of the rows of C.
+    pub fn row_names(&self) -> Vec<String> {
+        self.rows.iter().map(|row| row.name.clone()).collect()
+    }
+
+    /// Names of the rows of C that bind velocities.
+    pub fn velocity_row_names(&self) -> Vec<String> {
+        let bound = self.rows.iter().filter(|row| row.level != Level::Acceleration);
+        bound.map(|row| row.name.clone()).collect()
+    }
+
     /// Every expression of the result.
     pub fn roots(&self) -> Vec<Expr> {
         let mut equations = self.clone();
@@ -121,6 +163,7 @@ impl Equations {
             &self.initial_coordinates,
             &self.velocities,
             &self.complement_bias,
+            &self.velocity_rates,
         ];
         let matrices = [&self.mass_matrix, &self.complement];
         let of_matrices = matrices.into_iter().flat_map(|m| m.entries().iter().copied());
@@ -133,6 +176,7 @@ impl Equations {
         vec![
             self.coordinate_rates.iter_mut().chain(&mut self.accelerations).chain(guards).collect(),
             self.mass_matrix.entries_mut().iter_mut().chain(&mut self.forcing).collect(),
+            self.velocity_rates.iter_mut().collect(),
             self.multipliers.iter_mut().collect(),
             self.initial_coordinates.iter_mut().chain(&mut self.velocities).collect(),
             self.complement.entries_mut().iter_mut().chain(&mut self.complement_bias).collect(),

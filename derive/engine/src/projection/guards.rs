@@ -14,21 +14,21 @@ pub struct Guards {
 
 impl Guards {
     /// A quantity that must not vanish: each of its factors must not, so that a change of sign is seen in every one.
-    pub fn pivot(&mut self, graph: &Graph, e: Expr, origin: &str) {
+    pub fn pivot(&mut self, graph: &Graph, e: Expr, origin: &str, rows: &[String]) {
         let (_, factors) = graph.as_term(e);
         for (base, _) in factors {
-            self.push(graph, base, GuardKind::Pivot, origin);
+            self.push(graph, base, GuardKind::Pivot, origin, rows);
         }
     }
 
     /// A pivot of M_d. Even powers are watched by their signed base: J cos²θ stays positive while cos θ runs through
     /// zero. `Err` with the text of a pivot that is a negative number.
-    pub fn positive(&mut self, graph: &mut Graph, e: Expr, origin: &str) -> Result<(), String> {
+    pub fn positive(&mut self, graph: &mut Graph, e: Expr, origin: &str, rows: &[String]) -> Result<(), String> {
         let (coefficient, factors) = graph.as_term(e);
         let mut rest = Vec::new();
         for (base, exponent) in factors {
             if exponent % 2 == 0 {
-                self.push(graph, base, GuardKind::Pivot, origin);
+                self.push(graph, base, GuardKind::Pivot, origin, rows);
             } else {
                 rest.push((base, exponent));
             }
@@ -39,13 +39,13 @@ impl Guards {
             Some(number) if number.is_negative() => Err(graph.display(e)),
             Some(_) => Ok(()),
             None => {
-                self.push(graph, rest, GuardKind::Positive, origin);
+                self.push(graph, rest, GuardKind::Positive, origin, rows);
                 Ok(())
             }
         }
     }
 
-    fn push(&mut self, graph: &Graph, expr: Expr, kind: GuardKind, origin: &str) {
+    fn push(&mut self, graph: &Graph, expr: Expr, kind: GuardKind, origin: &str, rows: &[String]) {
         if kind == GuardKind::Pivot && graph.bounds(expr).exclude_zero() {
             return;
         }
@@ -59,7 +59,8 @@ impl Guards {
             return;
         }
         list.retain(|g| g.expr != expr);
-        list.push(Guard { expr, name: graph.display(expr), kind, origin: origin.to_owned() });
+        let (name, origin, rows) = (graph.display(expr), origin.to_owned(), rows.to_vec());
+        list.push(Guard { expr, name, kind, origin, rows });
     }
 }
 
@@ -101,7 +102,7 @@ pub fn add_parameter_divisors(equations: &mut Equations) {
     }
     let mut guards = Guards { state: Vec::new(), parameters: std::mem::take(&mut equations.parameter_guards) };
     for e in divisors {
-        guards.push(graph, e, GuardKind::Pivot, "a divisor");
+        guards.push(graph, e, GuardKind::Pivot, "a divisor", &[]);
     }
     equations.parameter_guards = guards.parameters;
 }

@@ -34,7 +34,7 @@ pub mod tangent;
 #[cfg(test)]
 mod tests;
 
-pub use equations::{Equations, Guard, GuardKind};
+pub use equations::{Equations, Guard, GuardKind, Level, RowFacts};
 pub use project::{TANGENT_PIVOT, project};
 
 use crate::symbolic::{Expr, Graph};

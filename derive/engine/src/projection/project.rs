@@ -4,11 +4,11 @@ use super::carriers::{Carriers, carriers};
 use super::constraints::differentiate;
 use super::dependence::{Sorted, sort};
 use super::dynamics::{reduce, to_state};
-use super::equations::Equations;
+use super::equations::{Equations, Level, RowFacts};
 use super::factorisation::factorise;
 use super::guards::Guards;
 use super::judge::judge;
-use super::reactions::{Motion, reactions};
+use super::reactions::{Motion, rates as motion_of, reactions};
 use super::tangent::tangent;
 use super::{Simplifier, constraints::DifferentiatedRow, messages};
 use crate::model::InitialSystem;
@@ -40,14 +40,13 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     let mut guards = Guards::default();
     for pivot in system.kinematics.pivots.clone() {
         let pivot = to_state(&mut system.graph, &carriers, &tangent, &[pivot])[0];
-        guards.pivot(&system.graph, pivot, "the kinematics are not invertible where it vanishes (2.2)");
+        guards.pivot(&system.graph, pivot, "the kinematics are not invertible where it vanishes (2.2)", &[]);
     }
+    let names: Vec<String> = sorted.kept.iter().map(|i| rows[*i].name.clone()).collect();
+    let binding: Vec<String> = tangent.rows.iter().map(|position| names[*position].clone()).collect();
     for pivot in &tangent.pivots {
-        guards.pivot(
-            &system.graph,
-            *pivot,
-            "the independent speeds do not determine the others where it vanishes (3.1)",
-        );
+        let origin = "the independent speeds do not determine the others where it vanishes (3.1)";
+        guards.pivot(&system.graph, *pivot, origin, &binding);
     }
     let dynamics = reduce(&mut system, simplifier, &carriers, &tangent);
     let name = |system: &InitialSystem, i: usize| system.graph.name(tangent.speeds[i]).to_owned();
@@ -60,7 +59,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         }
     };
     for (p, pivot) in factors.order.iter().zip(&factors.pivots) {
-        if let Err(text) = guards.positive(&mut system.graph, *pivot, "a pivot of D M D\u{1d40} (4.10)") {
+        if let Err(text) = guards.positive(&mut system.graph, *pivot, "a pivot of D M D\u{1d40} (4.10)", &[]) {
             errors.report(span, messages::negative_inertia(&name(&system, *p), &text));
         }
     }
@@ -72,7 +71,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     };
     for pivot in &reactions.pivots {
         let origin = "the reactions are not determined where it vanishes (3.6)";
-        guards.positive(&mut system.graph, *pivot, origin).ok();
+        guards.positive(&mut system.graph, *pivot, origin, &names).ok();
     }
     errors.result(())?;
     let multipliers: Vec<Expr> =
@@ -86,6 +85,8 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     let v = system.graph.vars(&system.speeds);
     let velocities = to_state(&mut system.graph, &carriers, &tangent, &v);
     let velocities = velocities.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
+    let velocity_rates = motion_of(&mut system.graph, &dynamics.complement, &accelerations, &dynamics.bias);
+    let velocity_rates = velocity_rates.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
     let kinetic_energy = kinetic_energy(&mut system);
     let select = |f: &dyn Fn(&DifferentiatedRow) -> Expr| sorted.kept.iter().map(|i| f(&rows[*i])).collect::<Vec<_>>();
     let gradients = sorted.kept.iter().map(|i| rows[*i].gradient.clone()).collect();
@@ -96,6 +97,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         time: system.time,
         state_coordinates: carriers.coordinates.clone(),
         state_speeds: tangent.speeds.clone(),
+        reduced_speeds: tangent.speeds.clone(),
         coordinate_rates,
         accelerations,
         mass_matrix: dynamics.mass_matrix,
@@ -104,6 +106,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         velocities,
         complement: dynamics.complement,
         complement_bias: dynamics.bias,
+        velocity_rates,
         multipliers: names.multipliers,
         guards: guards.state,
         parameter_guards: guards.parameters,
@@ -117,7 +120,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         velocity_residual: select(&|row| row.velocity),
         kinetic_energy,
         potential_energy: system.potential,
-        row_names: sorted.kept.iter().map(|i| rows[*i].name.clone()).collect(),
+        rows: sorted.kept.iter().map(|i| facts(&rows[*i])).collect(),
         position_names: positions.iter().map(|row| row.name.clone()).collect(),
         multiplier_names: names.names,
         multiplier_rows: names.rows,
@@ -128,6 +131,12 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         speeds: system.speeds,
         graph: system.graph,
     })
+}
+
+/// What a row of C is, for those who use it.
+fn facts(row: &DifferentiatedRow) -> RowFacts {
+    let level = if row.position.is_some() { Level::Position } else { Level::Velocity };
+    RowFacts { name: row.name.clone(), level, linear: true, redundant: false }
 }
 
 /// f(g(q, t)) ≡ 0 for the position rows that the configuration is to satisfy.

@@ -112,7 +112,7 @@ fn among_carriers(graph: &mut Graph, simplifier: &mut dyn Simplifier, motion: Mo
 }
 
 /// Dᵀ u̇ + a.
-fn rates(graph: &mut Graph, d: &Matrix, accelerations: &[Expr], bias: &[Expr]) -> Vec<Expr> {
+pub fn rates(graph: &mut Graph, d: &Matrix, accelerations: &[Expr], bias: &[Expr]) -> Vec<Expr> {
     let linear = d.transpose().mul_vec(graph, accelerations);
     linear.into_iter().zip(bias).map(|(a, b)| graph.add(a, *b)).collect()
 }

@@ -228,7 +228,7 @@ fn a_height_is_merged_with_its_rolling_rows() {
     let z = disk.system.graph.var(disk.system.coordinates[2]);
     disk.row("height", RowKind::Position(z));
     let eq = project(disk.system, &mut AsIs).unwrap();
-    assert_eq!(eq.row_names, ["along", "across", "contact"]);
+    assert_eq!(eq.row_names(), ["along", "across", "contact"]);
     assert_eq!(eq.position_names, ["height"]);
 }
 

@@ -148,7 +148,13 @@ pub fn disk_stage() -> Equations {
     let (accelerations, pivots) = solve(g, &m, &h);
     equations.guards = pivots
         .iter()
-        .map(|e| Guard { expr: *e, name: g.display(*e), kind: GuardKind::Positive, origin: "pivot of M_d".to_owned() })
+        .map(|e| Guard {
+            expr: *e,
+            name: g.display(*e),
+            kind: GuardKind::Positive,
+            origin: "pivot of M_d".to_owned(),
+            rows: vec![],
+        })
         .filter(|guard| g.stage(guard.expr) > crate::symbolic::Stage::Parameter)
         .collect();
     let vars = g.vars(&v);
@@ -158,11 +164,13 @@ pub fn disk_stage() -> Equations {
         parameters,
         state_coordinates: x.clone(),
         state_speeds: v.clone(),
+        reduced_speeds: v.clone(),
         coordinate_rates: vars.clone(),
         initial_coordinates: g.vars(&x),
         velocities: vars,
         coordinates: x,
         speeds: v,
+        velocity_rates: accelerations.clone(),
         accelerations,
         mass_matrix: m.clone(),
         forcing: h.clone(),
@@ -180,7 +188,7 @@ pub fn disk_stage() -> Equations {
         velocity_residual: Vec::new(),
         kinetic_energy: zero,
         potential_energy: None,
-        row_names: Vec::new(),
+        rows: Vec::new(),
         position_names: Vec::new(),
         multiplier_names: Vec::new(),
         multiplier_rows: Vec::new(),

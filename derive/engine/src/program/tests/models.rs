@@ -1,6 +1,6 @@
 //! Models by hand: the initial system, D, and everything else by the formulas of the paper.
 
-use crate::projection::{Equations, Guard, GuardKind};
+use crate::projection::{Equations, Guard, GuardKind, Level, RowFacts};
 use crate::symbolic::{Expr, Graph, Kind, Matrix, Rational, Symbol};
 
 /// What a model gives; the state holds x and the speeds `independent` of v.
@@ -69,7 +69,7 @@ pub fn reduce(given: Given) -> Equations {
     let pivots = pivots.into_iter().map(|p| (p, GuardKind::Positive));
     let (mut state_guards, mut parameter_guards) = (Vec::new(), Vec::new());
     for (expr, kind) in given.guards.into_iter().chain(pivots) {
-        guards.push(Guard { expr, name: g.display(expr), kind, origin: "by hand".to_owned() });
+        guards.push(Guard { expr, name: g.display(expr), kind, origin: "by hand".to_owned(), rows: vec![] });
     }
     for guard in guards {
         match g.stage(guard.expr) {
@@ -84,6 +84,7 @@ pub fn reduce(given: Given) -> Equations {
         parameters: given.parameters,
         inputs: Vec::new(),
         state_coordinates: x.clone(),
+        reduced_speeds: u.clone(),
         state_speeds: u,
         initial_coordinates: graph.vars(&x),
         kinematic_bias: vec![zero; x.len()],
@@ -96,6 +97,7 @@ pub fn reduce(given: Given) -> Equations {
         velocities,
         complement: d,
         complement_bias: bias,
+        velocity_rates: v_dot,
         multipliers,
         guards: state_guards,
         parameter_guards,
@@ -108,13 +110,17 @@ pub fn reduce(given: Given) -> Equations {
         velocity_residual,
         kinetic_energy,
         potential_energy: None,
-        row_names: given.names.clone(),
+        rows: given.names.iter().map(|name| row(name)).collect(),
         position_names: given.names.iter().take(0).cloned().collect(),
         multiplier_names: given.names,
         multiplier_rows,
         notes: vec!["written by hand".to_owned()],
         graph,
     }
+}
+
+fn row(name: &str) -> RowFacts {
+    RowFacts { name: name.to_owned(), level: Level::Velocity, linear: true, redundant: false }
 }
 
 /// The solution of a symmetric system, and the pivots.
