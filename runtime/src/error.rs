@@ -1,6 +1,7 @@
 //! What can go wrong, as values that name the culprit.
 
 use alloc::string::String;
+use alloc::vec::Vec;
 use core::fmt;
 
 /// Why a model could not be prepared, assembled or simulated.
@@ -110,6 +111,25 @@ pub enum Error {
         /// The names that there are.
         known: &'static [&'static str],
     },
+    /// Constraints depend on each other in this state: their reactions cannot be told apart, and directions that they should
+    /// bind are free.
+    Dependent {
+        /// The rows of C that take part.
+        rows: Vec<&'static str>,
+        /// The smallest singular value of C relative to the largest, rows scaled to one size.
+        value: f64,
+        /// The guard of the model that vanishes with the rank, if one does.
+        guard: Option<&'static str>,
+        /// When, if that is known.
+        time: Option<f64>,
+    },
+    /// Constraints that depend on each other demand different things.
+    Inconsistent {
+        /// The rows of C that take part.
+        rows: Vec<&'static str>,
+        /// What remains of C v̇ + c0* in the row that is missed most.
+        residual: f64,
+    },
     /// A system of linear equations has no unique solution.
     SingularMatrix {
         /// Which matrix.
@@ -198,6 +218,24 @@ impl fmt::Display for Error {
             Error::UnknownName { name, known } => {
                 write!(out, "there is no `{name}`; there are ")?;
                 list(out, known)
+            }
+            Error::Dependent { rows, value, guard, time } => {
+                out.write_str("the rows of C depend on each other")?;
+                if let Some(time) = time {
+                    write!(out, " at t = {time}")?;
+                }
+                out.write_str(": ")?;
+                list(out, rows)?;
+                write!(out, " (smallest relative singular value {value:e}")?;
+                if let Some(guard) = guard {
+                    write!(out, ", where {guard} vanishes")?;
+                }
+                out.write_str("); leave one out, mark it `redundant` if it always depends on the others, or keep away from such configurations")
+            }
+            Error::Inconsistent { rows, residual } => {
+                out.write_str("constraints that depend on each other contradict each other: ")?;
+                list(out, rows)?;
+                write!(out, "; C v̇ + c0* remains {residual:e}; check their terms and their time dependence")
             }
             Error::SingularMatrix { matrix, pivot } => write!(
                 out,

@@ -1,6 +1,6 @@
 //! Dense linear equations that say when they have no unique solution.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use crate::Error;
 use crate::math::double::pow;
@@ -45,6 +45,46 @@ pub(super) fn solve(
     Ok(solution)
 }
 
+/// Solves K z = r for K = D M Dᵀ, which must be positive definite, by LDLᵀ.
+///
+/// `sizes` are the sums of the magnitudes behind the entries on K's diagonal: what is left of one of them after the elimination
+/// counts as zero below a few units of its rounding. `name` names a pivot of K in errors.
+pub(super) fn solve_definite(
+    name: &'static str,
+    mut matrix: DMatrix<f64>,
+    mut right: DVector<f64>,
+    sizes: &[f64],
+) -> Result<DVector<f64>, Error> {
+    let n = matrix.nrows();
+    if matrix.iter().chain(right.iter()).any(|entry| !entry.is_finite()) {
+        return Err(Error::NonFinite { name });
+    }
+    for j in 0..n {
+        let pivot = matrix[(j, j)];
+        if pivot <= SINGULAR * n as f64 * sizes[j] {
+            return Err(Error::Indefinite { pivot: name, value: pivot, time: None });
+        }
+        for i in j + 1..n {
+            let multiple = matrix[(i, j)] / pivot;
+            for k in j + 1..=i {
+                matrix[(i, k)] -= multiple * matrix[(k, j)];
+            }
+            right[i] -= multiple * right[j];
+        }
+        // The column stays as it is: rows below subtract multiples of it.
+    }
+    for j in (0..n).rev() {
+        let known: f64 = (j + 1..n).map(|i| matrix[(i, j)] * right[i]).sum();
+        right[j] = (right[j] - known) / matrix[(j, j)];
+    }
+    Ok(right)
+}
+
+/// A vector as a matrix with one column.
+pub(super) fn column(vector: &DVector<f64>) -> DMatrix<f64> {
+    DMatrix::from_column_slice(vector.len(), 1, vector.as_slice())
+}
+
 /// Scales rows (with the right sides) and columns until their largest entries are near one; gives the columns' scales.
 fn equilibrate(matrix: &mut DMatrix<f64>, right: &mut DMatrix<f64>) -> alloc::vec::Vec<f64> {
     let n = matrix.nrows();
@@ -66,10 +106,21 @@ fn equilibrate(matrix: &mut DMatrix<f64>, right: &mut DMatrix<f64>) -> alloc::ve
 
 /// A power of two near 1/√largest.
 fn factor(largest: f64) -> f64 {
-    if largest > 0.0 && largest.is_finite() {
-        let exponent = ((largest.to_bits() >> 52) & 0x7ff) as i32 - 1023;
-        pow(2.0, f64::from(-exponent / 2))
-    } else {
-        1.0
+    match exponent(largest) {
+        Some(exponent) => pow(2.0, f64::from(-exponent / 2)),
+        None => 1.0,
     }
+}
+
+/// A power of two near 1/largest; one where that is zero or not a number.
+pub(super) fn unit_scale(largest: f64) -> f64 {
+    match exponent(largest) {
+        Some(exponent) => pow(2.0, f64::from(-exponent)),
+        None => 1.0,
+    }
+}
+
+/// The binary exponent of a positive number.
+fn exponent(largest: f64) -> Option<i32> {
+    (largest > 0.0 && largest.is_finite()).then(|| ((largest.to_bits() >> 52) & 0x7ff) as i32 - 1023)
 }
