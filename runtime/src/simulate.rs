@@ -3,9 +3,12 @@
 mod control;
 mod course;
 mod dop853;
+mod emitted;
+mod flow;
 mod guards;
 mod inputs;
 mod kernel;
+mod stages;
 mod tableau;
 #[cfg(test)]
 mod tests;
@@ -19,6 +22,7 @@ use crate::manifold::{Manifold, term_sizes};
 use crate::{ConstrainedSystem, Error, Prepared};
 use control::Tolerance;
 use course::Course;
+use emitted::check_inputs;
 use guards::Watch;
 use kernel::{Pace, Plan};
 
@@ -223,7 +227,7 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
     pub fn until(self, end: f64) -> Result<Trajectory<M>, Box<Interrupted<M>>> {
         let method = self.method;
         let mut trajectory = Trajectory::new(self.from, self.start);
-        let result = self.check(end).and_then(|(plan, mut course)| match method {
+        let result = self.check(end).and_then(|(plan, course)| match method {
             Method::Rk4 { .. } => course.run(&tableau::RK4, &plan, &mut trajectory),
             Method::DormandPrince => course.run(&tableau::DORMAND_PRINCE, &plan, &mut trajectory),
             Method::Dop853 => course.run(&dop853::DOP853, &plan, &mut trajectory),
@@ -262,17 +266,13 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
         if !I::GIVEN && !M::MODEL.inputs.is_empty() {
             return Err(Error::MissingInputs { inputs: M::MODEL.inputs });
         }
-        let inputs = self.source.inputs(from, &start).into();
-        if let Some(at) = inputs.as_ref().iter().position(|input| !input.is_finite()) {
-            let name = M::MODEL.inputs.get(at).copied().unwrap_or("input");
-            return Err(Error::NonFinite { name });
-        }
+        check_inputs::<M>(&self.source.inputs(from, &start))?;
         // The guards stand between f and φ: where one vanishes, the velocities are not finite.
         let manifold = check_position(model, from, &start)?;
         let watch = Watch::new(model, from, &start)?;
         check_velocity(model, from, &start)?;
         let plan = Plan { start: from, end, pace, every: self.every, dense: self.dense, max_steps: self.max_steps };
-        let course = Course { model, source: self.source, watch, manifold, progress: self.progress, evaluations: 0 };
+        let course = Course { model, source: self.source, watch, manifold, progress: self.progress };
         Ok((plan, course))
     }
 }

@@ -58,6 +58,22 @@ fn a_constraint_that_moves_leaves_its_chart() {
 }
 
 #[test]
+fn fixed_steps_judge_the_guards_of_every_stage() {
+    // cos wt is positive at both ends of the one step, and negative at the stages in its middle.
+    let bead = Bead { m: 1.5, w: 1.0, g: 0.0 }.prepare().unwrap();
+    let start = BeadState { x: 1.0, y: 0.0, dot_x: 0.0 };
+    let step = 1.6 * std::f64::consts::PI;
+    let interrupted = bead.simulate(start).method(Method::Rk4 { step }).until(step).unwrap_err();
+    match interrupted.error {
+        Error::ChartSingularity { guard: "cos(w*t)", time, value } => {
+            assert!(time == 0.5 * step && value < 0.0, "{value} at {time}")
+        }
+        other => panic!("{other:?}"),
+    }
+    assert_eq!(interrupted.trajectory.times(), [0.0]);
+}
+
+#[test]
 fn indefinite_inertia() {
     // m (1 + a x) < 0 at the start …
     let start = OscillatorState { x: -3.0, dot_x: 0.0 };

@@ -1,5 +1,6 @@
 //! Choosing the size of the steps.
 
+use super::flow::Point;
 use super::tableau::{Estimate, Tableau};
 use crate::math::double::{pow, sqrt};
 
@@ -20,32 +21,32 @@ impl Tolerance {
     }
 
     /// The root of the mean square of `y` in units of what is tolerated at `at`.
-    pub(super) fn norm(&self, y: &[f64], at: &[f64]) -> f64 {
-        let sum: f64 = y.iter().zip(at).map(|(y, at)| y / self.scale(*at, *at)).map(|ratio| ratio * ratio).sum();
+    pub(super) fn norm<P: Point>(&self, y: &P, at: &P) -> f64 {
+        let ratio = |i: usize| y.get(i) / self.scale(at.get(i), at.get(i));
+        let sum: f64 = (0..y.len()).map(ratio).map(|ratio| ratio * ratio).sum();
         sqrt(sum / y.len().max(1) as f64)
     }
 
     /// The error of a step in units of what is tolerated; zero for methods without an estimate.
-    pub(super) fn error<const S: usize, A: AsRef<[f64]>>(
+    pub(super) fn error<const S: usize, P: Point>(
         &self,
         tableau: &Tableau<S>,
         h: f64,
-        k: &[A; S],
-        y: &A,
-        next: &A,
+        k: &[P; S],
+        y: &P,
+        next: &P,
     ) -> f64 {
-        let (y, next) = (y.as_ref(), next.as_ref());
         let count = y.len().max(1) as f64;
         let sum = |weights: &[f64; S]| -> f64 {
             let mut sum = 0.0;
-            for (i, (a, b)) in y.iter().zip(next).enumerate() {
+            for i in 0..y.len() {
                 let mut error = 0.0;
                 for (weight, k) in weights.iter().zip(k).take(tableau.stages) {
                     if *weight != 0.0 {
-                        error += weight * k.as_ref()[i];
+                        error += weight * k.get(i);
                     }
                 }
-                let ratio = error / self.scale(*a, *b);
+                let ratio = error / self.scale(y.get(i), next.get(i));
                 sum += ratio * ratio;
             }
             sum

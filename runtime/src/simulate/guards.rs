@@ -61,22 +61,31 @@ impl<M: ConstrainedSystem> Watch<M> {
         Ok(watch)
     }
 
-    /// Magnitude, change of sign and finiteness of the guards of an accepted state.
-    pub(super) fn judge(&mut self, time: f64, guards: &[f64]) -> Result<(), Error> {
-        let watched = self.largest.iter_mut().zip(&self.negative);
+    /// Magnitude, change of sign and finiteness of the guards of a state.
+    pub(super) fn check(&self, time: f64, guards: &[f64]) -> Result<(), Error> {
+        let watched = self.largest.iter().zip(&self.negative);
         for ((info, &value), (largest, negative)) in M::MODEL.guards.iter().zip(guards).zip(watched) {
-            let singular = Error::ChartSingularity { guard: info.name, value, time };
             // Also true where the guard is not a number.
-            if !(value.abs() > SINGULAR * *largest && value.is_finite()) {
-                return Err(singular);
-            }
+            let vanished = !(value.abs() > SINGULAR * *largest && value.is_finite());
             match info.kind {
-                GuardKind::Positive if value < 0.0 => {
+                GuardKind::Positive if !vanished && value < 0.0 => {
                     return Err(Error::Indefinite { pivot: info.name, value, time: Some(time) });
                 }
-                GuardKind::Pivot if (value < 0.0) != *negative => return Err(singular),
-                _ => *largest = largest.max(value.abs()),
+                GuardKind::Pivot if (value < 0.0) != *negative => {
+                    return Err(Error::ChartSingularity { guard: info.name, value, time });
+                }
+                _ if vanished => return Err(Error::ChartSingularity { guard: info.name, value, time }),
+                _ => {}
             }
+        }
+        Ok(())
+    }
+
+    /// The same for a state that is accepted; the largest magnitudes grow with it.
+    pub(super) fn judge(&mut self, time: f64, guards: &[f64]) -> Result<(), Error> {
+        self.check(time, guards)?;
+        for (largest, value) in self.largest.iter_mut().zip(guards) {
+            *largest = largest.max(value.abs());
         }
         Ok(())
     }

@@ -1,10 +1,12 @@
 //! The loop over the steps.
 
+use alloc::boxed::Box;
+
 use super::control::{Controller, Tolerance};
-use super::course::{COEFFICIENTS, Course, dense_output, finite};
-use super::inputs::InputSource;
+use super::flow::{Flow, Point};
+use super::stages::{COEFFICIENTS, dense_output, evaluate, first_step, interpolate, stages};
 use super::tableau::Tableau;
-use super::trajectory::{StateArray, Trajectory, interpolate};
+use super::trajectory::Trajectory;
 use crate::{ConstrainedSystem, Error};
 
 /// Times that differ by less than this part of a step are the same.
@@ -72,62 +74,61 @@ impl Plan {
     }
 }
 
-impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
-    /// Takes all steps from the start of the plan to its end.
-    pub(super) fn run<const S: usize>(
-        &mut self,
-        tableau: &Tableau<S>,
-        plan: &Plan,
-        trajectory: &mut Trajectory<M>,
-    ) -> Result<(), Error> {
-        let mut t = plan.start;
-        let mut y = (*trajectory.last().1).into();
-        let result = self.steps(tableau, plan, (&mut t, &mut y), trajectory);
-        trajectory.statistics.evaluations = self.evaluations;
-        // What there is of an interrupted run ends at its last regular state.
-        if trajectory.last().0 != t {
-            trajectory.push(t, y.into());
-        }
-        result
+/// A run on its way: what is carried over from one flow to the next.
+pub(super) struct Run<'r, 'a, M: ConstrainedSystem, const S: usize> {
+    pub(super) tableau: &'static Tableau<S>,
+    pub(super) plan: &'r Plan,
+    pub(super) trajectory: &'r mut Trajectory<M>,
+    pub(super) progress: Option<Box<dyn FnMut(f64) + 'a>>,
+    /// The time of the last accepted point.
+    pub(super) t: f64,
+    controller: Controller,
+    /// The size of the next step, once there is one.
+    size: Option<f64>,
+    outputs: usize,
+    told: f64,
+}
+
+impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
+    pub(super) fn new(
+        tableau: &'static Tableau<S>,
+        plan: &'r Plan,
+        trajectory: &'r mut Trajectory<M>,
+        progress: Option<Box<dyn FnMut(f64) + 'a>>,
+    ) -> Self {
+        let (t, controller) = (plan.start, Controller::new(tableau));
+        Run { tableau, plan, trajectory, progress, t, controller, size: None, outputs: 0, told: 0.0 }
     }
 
-    /// The loop. `t` and `y` are the last accepted state, also when it ends with an error.
+    /// Takes the steps to the end of the plan. `y` is the last accepted point, also when it ends with an error.
     #[inline(never)]
-    fn steps<const S: usize>(
-        &mut self,
-        tableau: &Tableau<S>,
-        plan: &Plan,
-        (t, y): (&mut f64, &mut StateArray<M>),
-        trajectory: &mut Trajectory<M>,
-    ) -> Result<(), Error> {
+    pub(super) fn steps<F: Flow<M>>(&mut self, flow: &mut F, y: &mut F::Point) -> Result<(), Error> {
+        let (tableau, plan) = (self.tableau, self.plan);
         let last = tableau.stages - 1;
-        let (rate, _) = self.evaluate(*t, y);
-        if !finite(&rate) {
-            return Err(self.diagnose((*t, *t), y, &rate));
+        let fixed = matches!(plan.pace, Pace::Fixed { .. });
+        let rate = self.evaluate(flow, self.t, y).0;
+        if !rate.is_finite() {
+            return Err(flow.diagnose((self.t, self.t), y, &rate));
         }
         let mut k = [rate; S];
-        let mut controller = Controller::new(tableau);
-        let mut size = match plan.pace {
-            Pace::Fixed { step } => step,
-            Pace::Adaptive { tolerance, longest } => {
-                let first = self.first_step(tableau.order, plan, tolerance, y, &rate);
-                first.min(longest)
-            }
+        let mut size = match self.size {
+            Some(size) => size,
+            None => self.first_size(flow, y, &rate),
         };
-        let (mut outputs, mut told) = (0, 0.0);
-        while *t != plan.end {
-            let statistics = &mut trajectory.statistics;
+        while self.t != plan.end {
+            let statistics = &mut self.trajectory.statistics;
             if statistics.accepted + statistics.rejected >= plan.max_steps {
-                let (steps, time) = (plan.max_steps, *t);
-                return Err(Error::TooManySteps { steps, time });
+                return Err(Error::TooManySteps { steps: plan.max_steps, time: self.t });
             }
-            let next = plan.next(*t, statistics.accepted, size);
-            let h = next - *t;
+            let t = self.t;
+            let next = plan.next(t, statistics.accepted, size);
+            let h = next - t;
             if h.abs() <= 4.0 * f64::EPSILON * t.abs() || h == 0.0 {
-                return Err(self.too_small(h, *t, y));
+                return Err(flow.suspect(t, y).unwrap_or(Error::StepTooSmall { step: h, time: t }));
             }
-            let (mut ahead, mut guards) = self.stages(tableau, 1..tableau.stages, (*t, h), y, &mut k);
-            let regular = finite(&ahead) && finite(&k[last]);
+            statistics.evaluations += last;
+            let (mut ahead, guards) = stages(flow, tableau, 1..tableau.stages, fixed, (t, h), y, &mut k)?;
+            let regular = ahead.is_finite() && k[last].is_finite();
             match plan.pace {
                 Pace::Adaptive { tolerance, longest } => {
                     let error = match regular {
@@ -136,66 +137,102 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
                     };
                     if error > 1.0 || error.is_nan() {
                         statistics.rejected += 1;
-                        size = h.abs() * controller.reject(error);
+                        size = h.abs() * self.controller.reject(error);
                         let furthest = t.abs().max(plan.end.abs());
                         if !regular && size <= 64.0 * f64::EPSILON * furthest {
-                            return Err(self.diagnose((*t, next), y, &ahead));
+                            return Err(flow.diagnose((t, next), y, &ahead));
                         }
                         continue;
                     }
-                    size = (h.abs() * controller.accept(error)).min(longest);
+                    size = (h.abs() * self.controller.accept(error)).min(longest);
                 }
                 Pace::Fixed { .. } if !regular => {
-                    return Err(self.diagnose((*t, next), y, &ahead));
+                    return Err(flow.diagnose((t, next), y, &ahead));
                 }
                 Pace::Fixed { .. } => {}
             }
 
-            let dense = plan.dense || plan.output_within(outputs, next, h).is_some();
+            let dense = plan.dense || plan.output_within(self.outputs, next, h).is_some();
             if dense && tableau.stages < S {
-                self.stages(tableau, tableau.stages..S, (*t, h), y, &mut k);
+                self.trajectory.statistics.evaluations += S - tableau.stages;
+                stages(flow, tableau, tableau.stages..S, false, (t, h), y, &mut k)?;
             }
-            if self.restore(next, &mut ahead)? {
-                (k[last], guards) = self.evaluate(next, &ahead);
-                if !finite(&k[last]) {
-                    return Err(self.diagnose((*t, next), y, &k[last]));
+            let mut guards = guards;
+            if flow.restore(next, &mut ahead)? {
+                let (rate, found) = self.evaluate(flow, next, &ahead);
+                (k[last], guards) = (rate, Some(found));
+                if !rate.is_finite() {
+                    return Err(flow.diagnose((t, next), y, &rate));
                 }
             }
-            self.watch.judge(next, guards.into().as_ref())?;
+            if let Some(guards) = &guards {
+                flow.judge(next, guards)?;
+            }
 
-            trajectory.statistics.accepted += 1;
-            let (from, base) = (*t, *y);
-            (*t, *y) = (next, ahead);
+            self.trajectory.statistics.accepted += 1;
+            let base = *y;
+            (self.t, *y) = (next, ahead);
+            self.size = Some(size);
             if dense {
                 let mut coefficients = [base; COEFFICIENTS];
                 let count = dense_output(tableau, h, &k, &base, &ahead, &mut coefficients);
-                let coefficients = &coefficients[..count];
-                if plan.dense {
-                    trajectory.push_step(from, h, coefficients);
-                }
-                while let Some(at) = plan.output_within(outputs, next, h) {
-                    outputs += 1;
-                    let mut between = interpolate::<M>(coefficients, (at - from) / h);
-                    self.restore(at, &mut between)?;
-                    trajectory.push(at, between.into());
-                }
+                self.between(flow, (t, next), &coefficients[..count])?;
             }
             k[0] = k[last];
-            let kept = plan.output_at(outputs, next, h);
-            outputs += usize::from(kept);
+            let kept = plan.output_at(self.outputs, next, h);
+            self.outputs += usize::from(kept);
             if kept || next == plan.end {
-                trajectory.push(next, ahead.into());
+                self.trajectory.push(next, flow.view(next, y));
             }
-            self.tell(plan, next, &mut told);
+            self.tell(next);
         }
         Ok(())
     }
 
-    fn tell(&mut self, plan: &Plan, t: f64, told: &mut f64) {
+    /// Keeps the polynomials of a step, and the outputs that lie within it.
+    fn between<F: Flow<M>>(
+        &mut self,
+        flow: &mut F,
+        (from, next): (f64, f64),
+        coefficients: &[F::Point],
+    ) -> Result<(), Error> {
+        let h = next - from;
+        if self.plan.dense {
+            self.trajectory.push_step(from, h, coefficients);
+        }
+        while let Some(at) = self.plan.output_within(self.outputs, next, h) {
+            self.outputs += 1;
+            let mut point = coefficients[0];
+            for i in 0..point.len() {
+                *point.get_mut(i) = interpolate(coefficients.len(), (at - from) / h, |j| coefficients[j].get(i));
+            }
+            flow.restore(at, &mut point)?;
+            self.trajectory.push(at, flow.view(at, &point));
+        }
+        Ok(())
+    }
+
+    fn first_size<F: Flow<M>>(&mut self, flow: &mut F, y: &F::Point, rate: &F::Point) -> f64 {
+        match self.plan.pace {
+            Pace::Fixed { step } => step,
+            Pace::Adaptive { tolerance, longest } => {
+                self.trajectory.statistics.evaluations += 1;
+                let first = first_step(flow, self.tableau.order, self.plan, tolerance, y, rate);
+                first.min(longest)
+            }
+        }
+    }
+
+    fn evaluate<F: Flow<M>>(&mut self, flow: &mut F, t: f64, y: &F::Point) -> (F::Point, F::Guards) {
+        self.trajectory.statistics.evaluations += 1;
+        evaluate(flow, t, y)
+    }
+
+    fn tell(&mut self, t: f64) {
         if let Some(progress) = &mut self.progress {
-            let fraction = (t - plan.start) / (plan.end - plan.start);
-            if fraction >= *told + PROGRESS || t == plan.end {
-                *told = fraction;
+            let fraction = (t - self.plan.start) / (self.plan.end - self.plan.start);
+            if fraction >= self.told + PROGRESS || t == self.plan.end {
+                self.told = fraction;
                 progress(fraction);
             }
         }

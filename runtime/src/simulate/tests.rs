@@ -19,17 +19,16 @@ fn model() -> Prepared<Oscillator> {
     oscillator.prepare().unwrap()
 }
 
-fn run<const S: usize>(tableau: &Tableau<S>, pace: Pace) -> Trajectory<Oscillator> {
+fn run<const S: usize>(tableau: &'static Tableau<S>, pace: Pace) -> Trajectory<Oscillator> {
     let model = model();
     let start = OscillatorState { x: 0.8, dot_x: -0.3 };
     let mut trajectory = Trajectory::new(0.0, start);
-    let mut course = Course {
+    let course = Course {
         model: &model,
         source: |t: f64, s: &OscillatorState| OscillatorInputs { tau: 0.3 * (3.0 * t).cos() - 0.1 * s.dot_x },
         watch: Watch::new(&model, 0.0, &start).unwrap(),
         manifold: None,
         progress: None,
-        evaluations: 0,
     };
     let plan = Plan { start: 0.0, end: END, pace, every: None, dense: true, max_steps: 1_000_000 };
     course.run(tableau, &plan, &mut trajectory).unwrap();
@@ -45,7 +44,7 @@ fn distance(a: &OscillatorState, b: &OscillatorState) -> f64 {
 }
 
 /// Errors at the end, and the largest one between the steps, for halved steps.
-fn errors<const S: usize>(tableau: &Tableau<S>, steps: &[f64]) -> Vec<(f64, f64)> {
+fn errors<const S: usize>(tableau: &'static Tableau<S>, steps: &[f64]) -> Vec<(f64, f64)> {
     let exact = reference();
     let error = |step: &f64| {
         let found = run(tableau, Pace::Fixed { step: *step });
@@ -58,7 +57,7 @@ fn errors<const S: usize>(tableau: &Tableau<S>, steps: &[f64]) -> Vec<(f64, f64)
     steps.iter().map(error).collect()
 }
 
-fn check<const S: usize>(tableau: &Tableau<S>, steps: &[f64], order: f64, dense_order: f64) {
+fn check<const S: usize>(tableau: &'static Tableau<S>, steps: &[f64], order: f64, dense_order: f64) {
     let errors = errors(tableau, steps);
     for (pair, steps) in errors.windows(2).zip(steps.windows(2)) {
         let halvings = (steps[0] / steps[1]).log2();
@@ -109,7 +108,7 @@ fn tables_are_consistent() {
 }
 
 /// The error follows the tolerance over ten powers of ten, and the steps grow as the order says.
-fn follows<const S: usize>(tableau: &Tableau<S>) {
+fn follows<const S: usize>(tableau: &'static Tableau<S>) {
     let exact = reference();
     let mut last = 0;
     for exponent in [4, 6, 8, 10, 12] {

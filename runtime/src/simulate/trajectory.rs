@@ -4,6 +4,8 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::fmt;
 
+use super::flow::Point;
+use super::stages::interpolate;
 use crate::{ConstrainedSystem, Error, Vector};
 
 /// The array behind a model's state.
@@ -31,8 +33,8 @@ pub struct Trajectory<M: ConstrainedSystem> {
     states: Vec<M::State<f64>>,
     /// Start and length of every step, in the direction of the run.
     steps: Vec<(f64, f64)>,
-    /// `stride` coefficients for every step.
-    coefficients: Vec<StateArray<M>>,
+    /// For every step `stride` points, entry by entry.
+    coefficients: Vec<f64>,
     stride: usize,
     pub(super) statistics: Statistics,
 }
@@ -66,10 +68,12 @@ impl<M: ConstrainedSystem> Trajectory<M> {
         self.states.push(s);
     }
 
-    pub(super) fn push_step(&mut self, t: f64, h: f64, coefficients: &[StateArray<M>]) {
+    pub(super) fn push_step<P: Point>(&mut self, t: f64, h: f64, coefficients: &[P]) {
         self.stride = coefficients.len();
         self.steps.push((t, h));
-        self.coefficients.extend_from_slice(coefficients);
+        for point in coefficients {
+            self.coefficients.extend((0..point.len()).map(|i| point.get(i)));
+        }
     }
 
     /// The times of the states: every step, or what `every` asked for, and always the start and the end.
@@ -121,28 +125,14 @@ impl<M: ConstrainedSystem> Trajectory<M> {
             0 => Err(Error::NoDenseOutput { time: t }),
             after => {
                 let (start, h) = self.steps[after - 1];
-                let coefficients = &self.coefficients[(after - 1) * self.stride..after * self.stride];
-                Ok(interpolate::<M>(coefficients, (t - start) / h).into())
+                let count = self.stride;
+                let length = self.coefficients.len() / (self.steps.len() * count);
+                let coefficients = &self.coefficients[(after - 1) * count * length..after * count * length];
+                let entry = |i: usize| interpolate(count, (t - start) / h, |j| coefficients[j * length + i]);
+                Ok(M::State::from_fn(entry))
             }
         }
     }
-}
-
-/// c₀ + θ (c₁ + (1 − θ) (c₂ + θ (c₃ + …))): Hairer's form of the continuous extensions.
-#[inline]
-pub(super) fn interpolate<M: ConstrainedSystem>(coefficients: &[StateArray<M>], theta: f64) -> StateArray<M> {
-    let (last, lower) = match coefficients.split_last() {
-        Some(split) => split,
-        None => return M::State::<f64>::default().into(),
-    };
-    let mut sum = *last;
-    for (i, coefficient) in lower.iter().enumerate().rev() {
-        let factor = if i % 2 == 0 { theta } else { 1.0 - theta };
-        for (sum, c) in sum.as_mut().iter_mut().zip(coefficient.as_ref()) {
-            *sum = c + factor * *sum;
-        }
-    }
-    sum
 }
 
 impl<M: ConstrainedSystem> Clone for Trajectory<M> {
