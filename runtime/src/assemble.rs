@@ -77,7 +77,7 @@ impl<M: ConstrainedSystem> Assembly<'_, M> {
         for name in self.held {
             match names.iter().position(|entry| *entry == name) {
                 Some(at) => free.iter_mut().skip(at).take(1).for_each(|free| *free = false),
-                None => return Err(Error::UnknownName { name, known: names }),
+                None => return Err(Error::UnknownName { name, known: names.to_vec() }),
             }
         }
         check_finite::<M>(self.time, &self.guess)?;

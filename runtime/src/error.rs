@@ -109,7 +109,7 @@ pub enum Error {
         /// The name.
         name: String,
         /// The names that there are.
-        known: &'static [&'static str],
+        known: Vec<&'static str>,
     },
     /// Constraints depend on each other in this state: their reactions cannot be told apart, and directions that they should
     /// bind are free.
@@ -129,6 +129,13 @@ pub enum Error {
         rows: Vec<&'static str>,
         /// What remains of C v̇ + c0* in the row that is missed most.
         residual: f64,
+    },
+    /// A D or an a that was given for a projection leaves a constraint.
+    NotTangent {
+        /// The row of C.
+        constraint: &'static str,
+        /// What remains of D Cᵀ or of C a + c0* in it.
+        value: f64,
     },
     /// A system of linear equations has no unique solution.
     SingularMatrix {
@@ -237,6 +244,11 @@ impl fmt::Display for Error {
                 list(out, rows)?;
                 write!(out, "; C v̇ + c0* remains {residual:e}; check their terms and their time dependence")
             }
+            Error::NotTangent { constraint, value } => write!(
+                out,
+                "the projection does not satisfy the constraint `{constraint}`: D Cᵀ or C a + c0* is {value:e} and must be zero; \
+                 eliminate the rows that D is orthogonal to, and take a from the same state"
+            ),
             Error::SingularMatrix { matrix, pivot } => write!(
                 out,
                 "{matrix} is singular (relative pivot {pivot:e}): constraints depend on each other, or the inertia is singular"

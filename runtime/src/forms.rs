@@ -11,14 +11,20 @@
 //! | (3.5) with D found by LU, QR or SVD | [`solve_by`](InitialEquations::solve_by) | M definite on ker C |
 //! | (3.6), (3.7) | [`multipliers`](InitialEquations::multipliers), [`reactions`](InitialEquations::reactions) | independent rows, M regular |
 //! | v̇ = P M⁻¹h* − M⁻¹Cᵀ M_c⁻¹ c0* | [`projected_rates`](InitialEquations::projected_rates) | independent rows, M regular |
-//! //!
+//! //! | (4.10), (5.6), stage after stage | [`stages`](InitialEquations::stages) | M definite on ker C |
+//! | components (A.1)-(A.6) | [`Metric`] | M regular |
+//! | Gauss' principle, power | [`gauss_constraint`](InitialEquations::gauss_constraint), [`reaction_power`](InitialEquations::reaction_power) | M regular; nothing |
+//!
 //! Whatever is missing is an error that names the rows which depend on each other, or the figure that vanished.
 
+mod components;
 mod dense;
 mod full;
 mod general;
 mod null_space;
+mod principles;
 mod rank;
+mod stages;
 
 use alloc::vec::Vec;
 
@@ -26,7 +32,9 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::{ConstrainedSystem, Error, Matrix, Prepared, Scalar, Vector};
 
+pub use components::{ChangeOfBase, Metric};
 pub use null_space::{NullSpace, NullSpaceMethod, RANK_THRESHOLD};
+pub use stages::Stages;
 
 /// The initial system and its constraints at one (t, x, v): n velocities, m rows.
 ///

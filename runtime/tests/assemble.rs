@@ -71,7 +71,7 @@ fn what_cannot_be_met_is_told_with_its_residual() {
 fn wrong_names_and_figures_are_told() {
     let guess = PendulumState { x: 0.3, y: -0.3, dot_x: 0.0 };
     let error = pendulum().assemble(guess).hold("z").solve().unwrap_err();
-    assert_eq!(error, Error::UnknownName { name: "z".into(), known: &["x", "y", "dot_x"] });
+    assert_eq!(error, Error::UnknownName { name: "z".into(), known: vec!["x", "y", "dot_x"] });
     assert_eq!(error.to_string(), "there is no `z`; there are `x`, `y`, `dot_x`");
     let error = pendulum().assemble(PendulumState { y: f64::INFINITY, ..guess }).solve();
     assert_eq!(error, Err(Error::NonFinite { name: "y" }));

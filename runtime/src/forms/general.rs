@@ -5,13 +5,13 @@ use alloc::vec::Vec;
 use nalgebra::{DMatrix, DVector};
 
 use super::dense::solve_definite;
-use super::null_space::householder;
+use super::null_space::{householder, scale_rows};
 use super::rank::dependencies;
 use super::{InitialEquations, NullSpace, NullSpaceMethod, RANK_THRESHOLD};
 use crate::Error;
 use crate::math::double::sqrt;
 
-/// Dependent rows agree if what remains of C v̇ + c0* is below this fraction of its terms.
+/// Dependent rows agree if what remains of C v̇ + c0* is below this fraction of the largest terms, rows scaled to one size.
 const CONSISTENT: f64 = 1e-8;
 
 impl InitialEquations {
@@ -69,19 +69,31 @@ impl InitialEquations {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn solve_by(&self, method: NullSpaceMethod) -> Result<(DVector<f64>, DVector<f64>), Error> {
-        let null = self.null_space(method)?;
-        let bias = null.particular(&self.constraint_bias);
-        self.check_consistent(&null, &bias)?;
-        let accelerations = self.tangent_accelerations(&null.complement, &bias)?;
-        let rates = null.complement.tr_mul(&accelerations) + bias;
+        let (null, _, rates) = self.tangent(method)?;
         let multipliers = self.least_norm(&null, &rates);
         Ok((rates, multipliers))
+    }
+
+    /// D, a and v̇ = Dᵀ u̇ + a.
+    pub(super) fn tangent(&self, method: NullSpaceMethod) -> Result<(NullSpace, DVector<f64>, DVector<f64>), Error> {
+        let null = self.null_space(method)?;
+        let bias = null.particular(&self.constraint_bias);
+        let accelerations = self.tangent_accelerations(&null.complement, &bias)?;
+        let rates = null.complement.tr_mul(&accelerations) + &bias;
+        if rates.iter().any(|rate| !rate.is_finite()) {
+            return Err(Error::NonFinite { name: "v̇" });
+        }
+        self.check_consistent(&null, &rates)?;
+        Ok((null, bias, rates))
     }
 
     /// λ of least norm with Cᵀ λ = M v̇ − h*, for a v̇ that the constraints allow: (C Cᵀ)⁻¹ C (M v̇ − h*) where the rows are
     /// independent. M need not be regular.
     pub fn multipliers_of(&self, rates: &DVector<f64>) -> Result<DVector<f64>, Error> {
         super::shape("v̇", (self.forces.len(), 1), (rates.len(), 1))?;
+        if rates.iter().chain(self.forces.iter()).chain(self.inertia.iter()).any(|entry| !entry.is_finite()) {
+            return Err(Error::NonFinite { name: "M v̇ − h*" });
+        }
         Ok(self.least_norm(&NullSpace::new(&self.constraint_matrix, NullSpaceMethod::Qr)?, rates))
     }
 
@@ -96,32 +108,35 @@ impl InitialEquations {
         range.tr_mul(&(&range * any))
     }
 
-    /// u̇ of M_d u̇ = D (h* − M a) (4.10), (5.6); M_d must be positive definite.
-    pub(super) fn tangent_accelerations(
-        &self,
-        complement: &DMatrix<f64>,
-        bias: &DVector<f64>,
-    ) -> Result<DVector<f64>, Error> {
-        let metric = complement * &self.inertia * complement.transpose();
-        let magnitudes = complement.abs() * self.inertia.abs() * complement.abs().transpose();
-        let forcing = complement * (&self.forces - &self.inertia * bias);
-        solve_definite("a pivot of D M Dᵀ, M on ker C,", metric, forcing, magnitudes.diagonal().as_slice())
+    /// u̇ of M_d u̇ = D (h* − M a) (4.10), (5.6).
+    fn tangent_accelerations(&self, complement: &DMatrix<f64>, bias: &DVector<f64>) -> Result<DVector<f64>, Error> {
+        self.tangent_solve(complement, complement * (&self.forces - &self.inertia * bias))
     }
 
-    /// Rows that depend on others must say the same.
-    fn check_consistent(&self, null: &NullSpace, bias: &DVector<f64>) -> Result<(), Error> {
+    /// M_d⁻¹ r; M_d = D M Dᵀ must be positive definite.
+    pub(super) fn tangent_solve(&self, complement: &DMatrix<f64>, right: DVector<f64>) -> Result<DVector<f64>, Error> {
+        let metric = complement * &self.inertia * complement.transpose();
+        let magnitudes = complement.abs() * self.inertia.abs() * complement.abs().transpose();
+        solve_definite("a pivot of D M Dᵀ, M on ker C,", metric, right, magnitudes.diagonal().as_slice())
+    }
+
+    /// Rows that depend on others must say the same: v̇ meets them too.
+    fn check_consistent(&self, null: &NullSpace, rates: &DVector<f64>) -> Result<(), Error> {
         if null.rank == self.rows.len() {
             return Ok(());
         }
-        let residual = &self.constraint_matrix * bias + &self.constraint_bias;
-        let terms = self.constraint_matrix.abs() * bias.abs() + self.constraint_bias.abs();
-        let missed: Vec<usize> = (0..self.rows.len()).filter(|i| residual[*i].abs() > CONSISTENT * terms[*i]).collect();
+        // Rows scaled to one size have terms of one size; where all is at rest, one row may have none.
+        let (c, scales) = scale_rows(&self.constraint_matrix);
+        let bias = DVector::from_fn(scales.len(), |i, _| self.constraint_bias[i] * scales[i]);
+        let residual = &c * rates + &bias;
+        let terms = (c.abs() * rates.abs() + bias.abs()).amax();
+        let missed: Vec<usize> = (0..scales.len()).filter(|i| residual[*i].abs() > CONSISTENT * terms).collect();
         let Some(worst) = missed.iter().copied().max_by(|i, j| residual[*i].abs().total_cmp(&residual[*j].abs()))
         else {
             return Ok(());
         };
         let mut combinations = dependencies(&self.constraint_matrix, null.rank);
         combinations.retain(|combination| combination.iter().any(|row| missed.contains(row)));
-        Err(Error::Inconsistent { rows: self.names(&combinations), residual: residual[worst] })
+        Err(Error::Inconsistent { rows: self.names(&combinations), residual: residual[worst] / scales[worst] })
     }
 }

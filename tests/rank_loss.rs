@@ -1,0 +1,115 @@
+//! Where constraints lose their rank: an error value that names rows, guard and figure, in every form, and never a silent NaN.
+
+use holonomy::forms::NullSpaceMethod;
+use holonomy::{ConstrainedSystem, Error, Prepared, State};
+
+const METHODS: [NullSpaceMethod; 3] = [NullSpaceMethod::Lu, NullSpaceMethod::Qr, NullSpaceMethod::Svd];
+
+/// A particle on two crossing planes: the constraint has no direction where they cross.
+#[derive(ConstrainedSystem, Clone, Debug)]
+#[coordinates(x, y, z)]
+#[inertia(diag(m, m, m))]
+#[forces(0, 0, -m*g)]
+#[constraint(planes: (x*x - y*y)/2 == 0)]
+#[independent(dot(x), dot(z))]
+struct CrossingPlanes {
+    #[nominal(2.0)]
+    m: f64,
+    #[nominal(9.81)]
+    g: f64,
+}
+
+fn crossing_planes() -> Prepared<CrossingPlanes> {
+    CrossingPlanes { m: 2.0, g: 9.81 }.prepare().expect("good parameters")
+}
+
+#[test]
+fn crossing_planes_lose_their_direction_on_the_crossing() {
+    let model = crossing_planes();
+    let s = State::<CrossingPlanes> { x: 0.3, y: -0.3, dot_x: 0.5, ..Default::default() };
+    assert_eq!(model.check_rank(0.0, &s), Ok(1.0));
+    let crossing = State::<CrossingPlanes> { dot_x: 0.5, ..Default::default() };
+    let expected = |guard, time| Error::Dependent { rows: vec!["planes"], value: 0.0, guard, time };
+    let guard = CrossingPlanes::MODEL.guards.iter().find(|guard| guard.name.contains('y')).expect("a pivot");
+    assert_eq!(model.check_rank(2.0, &crossing), Err(expected(Some(guard.name), Some(2.0))));
+    let text = model.check_rank(2.0, &crossing).unwrap_err().to_string();
+    assert!(["`planes`", guard.name, "t = 2", "0e0"].iter().all(|part| text.contains(part)), "{text}");
+    let full = model.initial_equations(0.0, &[0.0; 3], &[0.5, 0.5, 0.0].into(), &[]);
+    assert_eq!(full.check_rank(), Err(expected(None, None)));
+    assert_eq!(full.solve(), Err(expected(None, None)));
+    assert_eq!(full.multipliers(), Err(expected(None, None)));
+    // v = (1, 1)/2 runs along one plane: C v̇ + c0* = 0·v̇ + 0 holds, and nothing binds. The general form falls freely.
+    for method in METHODS {
+        let (rates, multipliers) = full.solve_by(method).expect("consistent");
+        assert_eq!((rates.as_slice(), multipliers.as_slice()), ([0.0, 0.0, -9.81].as_slice(), [0.0].as_slice()));
+    }
+    // v = (1, 0)/2 leaves both: ẋ² − ẏ² = 1/4 cannot be made zero by any v̇.
+    let full = model.initial_equations(0.0, &[0.0; 3], &[0.5, 0.0, 0.0].into(), &[]);
+    for method in METHODS {
+        assert_eq!(full.solve_by(method), Err(Error::Inconsistent { rows: vec!["planes"], residual: 0.25 }));
+    }
+    // A run that gets there stops with an error.
+    let run = model.simulate(State::<CrossingPlanes> { x: 0.3, y: -0.3, dot_x: -0.5, ..Default::default() }).until(1.0);
+    assert!(matches!(run.unwrap_err().error, Error::ChartSingularity { .. }));
+}
+
+/// A particle on two cylinders, which touch along a line where d = a + b; a plane that has no part in it leans.
+#[derive(ConstrainedSystem, Clone, Debug)]
+#[coordinates(x, y, z, w)]
+#[inertia(diag(m, m, m, m))]
+#[forces(0, 0, -m*g, -m*g)]
+#[constraint(left: (x*x + y*y - a*a)/2 == 0)]
+#[constraint(right: (powi(x - d, 2) + y*y - b*b)/2 == 0)]
+#[constraint(slope: z - w/2 == 0)]
+#[independent(dot(w))]
+struct TouchingCylinders {
+    #[nominal(2.0)]
+    m: f64,
+    #[nominal(1.0)]
+    a: f64,
+    #[nominal(0.5)]
+    b: f64,
+    #[nominal(1.2)]
+    d: f64,
+    #[nominal(9.81)]
+    g: f64,
+}
+
+#[test]
+fn cylinders_that_touch_bind_one_direction_twice() {
+    let model = TouchingCylinders { m: 2.0, a: 1.0, b: 0.5, d: 1.5, g: 9.81 }.prepare().expect("good parameters");
+    let expected = ["left", "right"];
+    // Along the line of contact, and as near as an assembly finds it: half the digits, as for every double root.
+    for (x, y) in [(1.0, 0.0), (1.0, 1e-14)] {
+        let s = State::<TouchingCylinders> { x, y, ..Default::default() };
+        match model.check_rank(0.5, &s).unwrap_err() {
+            Error::Dependent { rows, value, guard: Some(guard), time: Some(0.5) } => {
+                assert_eq!(rows, expected);
+                assert!(value < 1e-12 && TouchingCylinders::MODEL.guards.iter().any(|entry| entry.name == guard));
+            }
+            other => panic!("{other:?}"),
+        }
+        // At rest both say the same of v̇, and the reactions' sum is unique: nothing pushes, as gravity runs along the line.
+        let full = model.initial_equations(0.0, &[x, y, 0.0, 0.0], &[0.0; 4].into(), &[]);
+        assert!(matches!(full.solve(), Err(Error::Dependent { rows, .. }) if rows == expected));
+        for method in METHODS {
+            let (rates, multipliers) = full.solve_by(method).expect("consistent");
+            // (z, w): z̈ = ẅ/2, ẅ (1/4 + 1) = −g (1/2 + 1)
+            assert!((rates[3] + 9.81 * 1.2).abs() < 1e-12 && (rates[2] + 9.81 * 0.6).abs() < 1e-12);
+            assert!(rates[0].abs() < 1e-12 && multipliers[0].abs() < 1e-12 && multipliers[1].abs() < 1e-12);
+        }
+        // Across the line with a velocity, the two circles bend away from each other.
+        let full = model.initial_equations(0.0, &[x, y, 0.0, 0.0], &[0.0, 1.0, 0.0, 0.0].into(), &[]);
+        for method in METHODS {
+            match full.solve_by(method).unwrap_err() {
+                Error::Inconsistent { rows, residual } => assert!(rows == expected && residual.abs() > 0.1),
+                other => panic!("{other:?}"),
+            }
+        }
+    }
+    // Circles that cut each other are independent.
+    let model = TouchingCylinders { m: 2.0, a: 1.0, b: 0.5, d: 1.2, g: 9.81 }.prepare().expect("good parameters");
+    let guess = State::<TouchingCylinders> { x: 0.9, y: 0.4, ..Default::default() };
+    let s = model.assemble(guess).solve().expect("two points");
+    assert!(model.check_rank(0.0, &s).expect("full rank") > 0.1);
+}
