@@ -49,7 +49,7 @@ use proc_macro::TokenStream;
 /// | `kinematics(v1 = .., ..)` or `kinematics(dot(x) = .., ..)` | v = B ẋ + b0 (2.2) or ẋ = A v + a0 (2.1); the other direction is derived, or checked where both are given |
 /// | `inertia(diag(..))`, `inertia(matrix([a, b], [_, c]))` | M (2.3); `_` stands for the entry across the diagonal |
 /// | `forces(..)` | h* (2.3): all of it, gyroscopic terms included, one entry a speed |
-/// | `constraint(name: left == right)` | a row f(x, t) or φ(v, x, t); the kind is read off what it mentions; f is left minus right |
+/// | `constraint(name: left == right)` | a row; its kind is read off what it mentions: f(x, t), φ(v, x, t), which need not be linear in v, or with `dot(v)`, `ddot(q)` a row that is linear in accelerations; f is left minus right |
 /// | `configuration(z = 0, x = ..)` | x = g(q, t) (4.2): the named coordinates as functions of the others; `of(alpha)` introduces further q |
 /// | `independent(v6, dot(phi))` | the independent speeds u, in this order; else the cheapest pivots choose |
 /// | `complement(u1 = [..], ..)` | D (3.1) by rows, each with the name of its speed; D Cᵀ ≡ 0 is decided |
@@ -59,7 +59,7 @@ use proc_macro::TokenStream;
 /// | `start(theta = 0.3)`, `nominal(9.81)` and `unit(kg)` on fields | figures and units that judge and document; they never enter the equations |
 /// | `holonomy(crate = path, simplify = off)` | where the runtime is found; whether cheaper forms are searched |
 ///
-/// Functions: `sin cos tan sqrt exp ln atan2(y, x) powi(x, n) dot(q)`. `t` is time, `PI` is π. Literals are exact:
+/// Functions: `sin cos tan sqrt exp ln atan2(y, x) powi(x, n) dot(q)`, and in constraints `dot(v) ddot(q)`. `t` is time, `PI` is π. Literals are exact:
 /// `0.1` is one tenth, `1/2` one half.
 ///
 /// # What it emits

@@ -2,11 +2,13 @@
 #![allow(dead_code, unused_imports, reason = "every test file uses its own models")]
 
 mod blades;
+mod kinds;
 mod particles;
 mod rolling_disc;
 mod rolling_disk;
 
 pub use blades::*;
+pub use kinds::*;
 pub use particles::*;
 pub use rolling_disc::*;
 pub use rolling_disk::*;

@@ -21,8 +21,10 @@ impl Context {
         allowed: PLACE.and(Mentions::SPEEDS).and(Mentions::RATES).and(Mentions::INPUTS),
         rule: messages::RULE_FORCES,
     };
-    pub const CONSTRAINT: Context =
-        Context { allowed: PLACE.and(Mentions::SPEEDS).and(Mentions::RATES), rule: messages::RULE_CONSTRAINT };
+    pub const CONSTRAINT: Context = Context {
+        allowed: PLACE.and(Mentions::SPEEDS).and(Mentions::RATES).and(Mentions::ACCELERATIONS),
+        rule: messages::RULE_CONSTRAINT,
+    };
     pub const CONFIGURATION: Context =
         Context { allowed: PLACE.and(Mentions::FURTHER), rule: messages::RULE_CONFIGURATION };
     pub const COMPLEMENT: Context = Context { allowed: PLACE, rule: messages::RULE_COMPLEMENT };
@@ -31,7 +33,12 @@ impl Context {
     pub const NUMBER: Context = Context { allowed: Mentions::NONE, rule: messages::RULE_NUMBER };
     /// Where a define is used decides, not where it stands.
     pub const DEFINE: Context = Context {
-        allowed: PLACE.and(Mentions::FURTHER).and(Mentions::SPEEDS).and(Mentions::RATES).and(Mentions::INPUTS),
+        allowed: PLACE
+            .and(Mentions::FURTHER)
+            .and(Mentions::SPEEDS)
+            .and(Mentions::RATES)
+            .and(Mentions::ACCELERATIONS)
+            .and(Mentions::INPUTS),
         rule: "",
     };
 }

@@ -30,6 +30,10 @@ pub(super) struct Vocabulary<'a> {
     pub speeds: Vec<Symbol>,
     /// The rates of the initial coordinates; the speeds themselves where these have no names.
     pub rates: Vec<Symbol>,
+    /// The rates of the speeds.
+    pub accelerations: Vec<Symbol>,
+    /// The second rates of the initial coordinates; the rates of the speeds themselves where these have no names.
+    pub second_rates: Vec<Symbol>,
     pub inputs: Vec<Symbol>,
     /// `None` before a define is lowered, and where that failed.
     pub defines: Vec<Option<Lowered>>,
@@ -50,14 +54,18 @@ impl<'a> Vocabulary<'a> {
             Some(configuration) => symbols(of(&configuration.further), Kind::Coordinate),
             None => Vec::new(),
         };
-        let (speeds, rates) = match &declarations.speeds {
+        let second_rates = symbols(rate_names(|x| format!("ddot({x})")), Kind::Speed);
+        let (speeds, rates, accelerations) = match &declarations.speeds {
             Some(speeds) => {
-                let speeds = symbols(of(&speeds.names), Kind::Speed);
-                (speeds, symbols(rate_names(|x| format!("dot({x})")), Kind::Speed))
+                let names = of(&speeds.names);
+                let accelerations = names.iter().map(|v| format!("dot({v})")).collect();
+                let speeds = symbols(names, Kind::Speed);
+                let rates = symbols(rate_names(|x| format!("dot({x})")), Kind::Speed);
+                (speeds, rates, symbols(accelerations, Kind::Speed))
             }
             None => {
                 let speeds = symbols(rate_names(|x| format!("dot_{x}")), Kind::Speed);
-                (speeds.clone(), speeds)
+                (speeds.clone(), speeds, second_rates.clone())
             }
         };
         let inputs = symbols(of(&declarations.inputs), Kind::Input);
@@ -72,6 +80,8 @@ impl<'a> Vocabulary<'a> {
             further,
             speeds,
             rates,
+            accelerations,
+            second_rates,
             inputs,
             defines: vec![None; declarations.defines.len()],
         }
@@ -206,7 +216,7 @@ impl<'a> Vocabulary<'a> {
         Some(Lowered { expr: self.graph.var(symbol), mentions })
     }
 
-    /// `dot(x)`
+    /// `dot(x)`, `dot(v)` or `ddot(x)`
     fn dot(
         &mut self,
         function: &str,
@@ -223,17 +233,18 @@ impl<'a> Vocabulary<'a> {
                         diagnostics.report(*place, self.names.unknown(name));
                         return None;
                     }
-                    Some(Meaning::Speed(_)) => messages::acceleration(function, name),
-                    Some(Meaning::Coordinate(i)) if function == "dot" => {
-                        if Mentions::RATES.beyond(context.allowed) != Mentions::NONE {
-                            let text = format!("dot({name})");
-                            diagnostics.report(span, messages::out_of_place(text, "a rate", context.rule));
-                            return None;
-                        }
-                        let expr = self.graph.var(self.rates[i]);
-                        return Some(Lowered { expr, mentions: Mentions::RATES });
+                    Some(Meaning::Speed(i)) if function == "dot" => {
+                        let found = (self.accelerations[i], Mentions::ACCELERATIONS);
+                        return self.rate(function, name, found, span, context, diagnostics);
                     }
-                    Some(Meaning::Coordinate(_)) => messages::acceleration(function, name),
+                    Some(Meaning::Speed(_)) => messages::second_rate_of_speed(name),
+                    Some(Meaning::Coordinate(i)) => {
+                        let found = match function {
+                            "dot" => (self.rates[i], Mentions::RATES),
+                            _ => (self.second_rates[i], Mentions::ACCELERATIONS),
+                        };
+                        return self.rate(function, name, found, span, context, diagnostics);
+                    }
                     Some(Meaning::Further(_)) => {
                         let what = Mentions::FURTHER.describe();
                         messages::out_of_place(name, what, context.rule)
@@ -241,7 +252,7 @@ impl<'a> Vocabulary<'a> {
                     Some(meaning) => messages::dot_of_no_coordinate(name, meaning.describe()),
                 },
                 (Term::Hole, _) => return None,
-                (Term::Call(inner, _), _) if named_function(inner) => messages::acceleration_of_rate(),
+                (Term::Call(inner, _), _) if named_function(inner) => messages::rate_of_rate(),
                 _ => messages::dot_of_expression(),
             },
             [_, _] if function == "dot" => messages::scalar_product(),
@@ -250,9 +261,27 @@ impl<'a> Vocabulary<'a> {
         diagnostics.report(span, message);
         None
     }
+
+    /// The rate, if it may occur here.
+    fn rate(
+        &mut self,
+        function: &str,
+        name: &str,
+        (symbol, mentions): (Symbol, Mentions),
+        span: proc_macro2::Span,
+        context: Context,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Lowered> {
+        if mentions.beyond(context.allowed) != Mentions::NONE {
+            let text = format!("{function}({name})");
+            diagnostics.report(span, messages::out_of_place(text, mentions.describe(), context.rule));
+            return None;
+        }
+        Some(Lowered { expr: self.graph.var(symbol), mentions })
+    }
 }
 
-/// Functions that take the name of a coordinate.
+/// Functions that take the name of a coordinate or of a speed.
 fn named_function(function: &str) -> bool {
     matches!(function, "dot" | "ddot")
 }

@@ -115,7 +115,7 @@ impl Names {
 
 /// A set of kinds of names.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Mentions(u8);
+pub(super) struct Mentions(u16);
 
 impl Mentions {
     pub const NONE: Self = Mentions(0);
@@ -126,6 +126,7 @@ impl Mentions {
     pub const SPEEDS: Self = Mentions(16);
     pub const RATES: Self = Mentions(32);
     pub const INPUTS: Self = Mentions(64);
+    pub const ACCELERATIONS: Self = Mentions(128);
 
     pub const fn and(self, other: Mentions) -> Mentions {
         Mentions(self.0 | other.0)
@@ -144,6 +145,7 @@ impl Mentions {
     pub fn describe(self) -> &'static str {
         [
             (Self::INPUTS, "an input"),
+            (Self::ACCELERATIONS, "an acceleration"),
             (Self::RATES, "a rate"),
             (Self::SPEEDS, "a speed"),
             (Self::FURTHER, "a coordinate of `configuration`"),

@@ -5,18 +5,19 @@ use super::linear;
 use super::lower::Vocabulary;
 use super::names::Mentions;
 use super::system::{Row, RowKind};
-use crate::symbolic::{Expr, Symbol};
+use crate::symbolic::{Expr, Graph, Symbol};
 use crate::syntax::{Constraint, Diagnostics, messages};
 
 /// A row as written: left minus right, rates not yet replaced.
 pub(super) struct Written<'a> {
     constraint: &'a Constraint,
     expr: Expr,
-    is_velocity: bool,
+    mentions: Mentions,
 }
 
 /// Lowers every constraint; those with errors are left out.
 pub(super) fn lower<'a>(vocabulary: &mut Vocabulary<'a>, diagnostics: &mut Diagnostics) -> Vec<Written<'a>> {
+    let variables = Mentions::COORDINATES.and(Mentions::SPEEDS).and(Mentions::RATES).and(Mentions::ACCELERATIONS);
     let mut written = Vec::new();
     let mut names: Vec<String> = Vec::new();
     for constraint in &vocabulary.declarations.constraints {
@@ -28,10 +29,9 @@ pub(super) fn lower<'a>(vocabulary: &mut Vocabulary<'a>, diagnostics: &mut Diagn
         let right = vocabulary.lower(&constraint.right, Context::CONSTRAINT, diagnostics);
         if let (Some(left), Some(right)) = (left, right) {
             let mentions = left.mentions.and(right.mentions);
-            let is_velocity = mentions.intersects(Mentions::SPEEDS.and(Mentions::RATES));
-            if is_velocity || mentions.intersects(Mentions::COORDINATES) {
+            if mentions.intersects(variables) {
                 let expr = vocabulary.graph.sub(left.expr, right.expr);
-                written.push(Written { constraint, expr, is_velocity });
+                written.push(Written { constraint, expr, mentions });
             } else {
                 diagnostics.report(&constraint.name, messages::constraint_without_variable(&name));
             }
@@ -41,48 +41,110 @@ pub(super) fn lower<'a>(vocabulary: &mut Vocabulary<'a>, diagnostics: &mut Diagn
     written
 }
 
-/// The rows over x, v and t; `rates` replaces `dot(x)` by A v + a0.
+/// The rows over x, v, v̇ and t; `rates` replaces `dot(x)` by A v + a0, and `ddot(x)` follows by differentiation.
 pub(super) fn finish(
     written: &[Written<'_>],
     rates: &[(Symbol, Expr)],
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Row> {
-    let graph = &mut vocabulary.graph;
+    let second = second_rates(written, rates, vocabulary);
+    let all: Vec<(Symbol, Expr)> = rates.iter().chain(&second).copied().collect();
     let mut rows = Vec::new();
-    for Written { constraint, expr, is_velocity } in written {
-        let name = constraint.name.to_string();
-        // Speeds without names are written as rates.
-        let unnamed = vocabulary.declarations.speeds.is_none();
-        let kind = if *is_velocity {
-            let phi = graph.substitute(&[*expr], rates)[0];
-            match linear::split(graph, &[phi], &vocabulary.speeds) {
-                Err(refused) => {
-                    for nonlinear in refused {
-                        let variable = graph.name(nonlinear.variable);
-                        let variable = match variable.strip_prefix("dot_") {
-                            Some(of) if unnamed => format!("dot({of})"),
-                            _ => variable.to_owned(),
-                        };
-                        diagnostics.report(&constraint.name, messages::constraint_not_linear(&name, variable));
-                    }
-                    continue;
-                }
-                Ok(split) if split.coefficients.entries().iter().all(|entry| graph.vanishes(*entry)) => {
-                    diagnostics.report(&constraint.name, messages::constraint_without_speed(&name));
-                    continue;
-                }
-                Ok(_) => RowKind::Velocity(phi),
-            }
+    for Written { constraint, expr, mentions } in written {
+        let expr = vocabulary.graph.substitute(&[*expr], &all)[0];
+        let kind = if mentions.intersects(Mentions::ACCELERATIONS) {
+            acceleration(expr, constraint, vocabulary, diagnostics)
+        } else if mentions.intersects(Mentions::SPEEDS.and(Mentions::RATES)) {
+            velocity(expr, constraint, vocabulary, diagnostics)
         } else {
-            let gradient = graph.jacobian(&[*expr], &vocabulary.coordinates);
-            if gradient.entries().iter().all(|entry| graph.vanishes(*entry)) {
-                diagnostics.report(&constraint.name, messages::constraint_without_variable(&name));
-                continue;
-            }
-            RowKind::Position(*expr)
+            position(expr, constraint, vocabulary, diagnostics)
         };
-        rows.push(Row { name, span: constraint.name.span(), kind });
+        if let Some(kind) = kind {
+            rows.push(Row { name: constraint.name.to_string(), span: constraint.name.span(), kind });
+        }
     }
     rows
+}
+
+/// What replaces each `ddot(x)`: d/dt (A v + a0), with v̇ in it; nothing where these are the accelerations themselves.
+fn second_rates(
+    written: &[Written<'_>],
+    rates: &[(Symbol, Expr)],
+    vocabulary: &mut Vocabulary<'_>,
+) -> Vec<(Symbol, Expr)> {
+    let needed = written.iter().any(|row| row.mentions.intersects(Mentions::ACCELERATIONS));
+    if rates.is_empty() || !needed {
+        return Vec::new();
+    }
+    let graph = &mut vocabulary.graph;
+    let first: Vec<Expr> = rates.iter().map(|(_, rate)| *rate).collect();
+    let accelerations = graph.vars(&vocabulary.accelerations);
+    let mut motion: Vec<(Symbol, Expr)> = vocabulary.coordinates.iter().copied().zip(first.iter().copied()).collect();
+    motion.extend(vocabulary.speeds.iter().copied().zip(accelerations));
+    motion.push((vocabulary.time, graph.one()));
+    let second = graph.along(&first, &motion);
+    vocabulary.second_rates.iter().copied().zip(second).collect()
+}
+
+fn position(
+    f: Expr,
+    constraint: &Constraint,
+    vocabulary: &mut Vocabulary<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<RowKind> {
+    let graph = &mut vocabulary.graph;
+    let gradient = graph.jacobian(&[f], &vocabulary.coordinates);
+    if all_vanish(graph, gradient.entries()) {
+        diagnostics.report(&constraint.name, messages::constraint_without_variable(&constraint.name));
+        return None;
+    }
+    Some(RowKind::Position(f))
+}
+
+fn velocity(
+    phi: Expr,
+    constraint: &Constraint,
+    vocabulary: &mut Vocabulary<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<RowKind> {
+    let graph = &mut vocabulary.graph;
+    match linear::split(graph, &[phi], &vocabulary.speeds) {
+        // Chetaev: its reaction is along ∂φ/∂v.
+        Err(_) => Some(RowKind::Nonlinear(phi)),
+        Ok(split) if all_vanish(graph, split.coefficients.entries()) => {
+            diagnostics.report(&constraint.name, messages::constraint_without_speed(&constraint.name));
+            None
+        }
+        Ok(_) => Some(RowKind::Velocity(phi)),
+    }
+}
+
+fn acceleration(
+    row: Expr,
+    constraint: &Constraint,
+    vocabulary: &mut Vocabulary<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<RowKind> {
+    let graph = &mut vocabulary.graph;
+    match linear::split(graph, &[row], &vocabulary.accelerations) {
+        Err(refused) => {
+            for nonlinear in refused {
+                let variable = graph.name(nonlinear.variable);
+                diagnostics.report(&constraint.name, messages::constraint_not_linear(&constraint.name, variable));
+            }
+            None
+        }
+        Ok(split) if all_vanish(graph, split.coefficients.entries()) => {
+            diagnostics.report(&constraint.name, messages::constraint_without_acceleration(&constraint.name));
+            None
+        }
+        Ok(split) => {
+            Some(RowKind::Acceleration { gradient: split.coefficients.row(0).to_vec(), bias: split.constant[0] })
+        }
+    }
+}
+
+fn all_vanish(graph: &Graph, entries: &[Expr]) -> bool {
+    entries.iter().all(|entry| graph.vanishes(*entry))
 }

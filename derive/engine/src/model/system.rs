@@ -73,12 +73,21 @@ pub struct Row {
 }
 
 /// What a constraint binds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RowKind {
     /// f(x, t) = 0.
     Position(Expr),
     /// φ(v, x, t) = 0, linear in v.
     Velocity(Expr),
+    /// φ(v, x, t) = 0, not linear in v.
+    Nonlinear(Expr),
+    /// C v̇ + c0* = 0 (2.4) as the model states it, both free of v̇.
+    Acceleration {
+        /// The row of C.
+        gradient: Vec<Expr>,
+        /// c0*.
+        bias: Expr,
+    },
 }
 
 /// x = g(q, t) (4.2).

@@ -89,7 +89,7 @@ pub struct CarriedRow {
 }
 
 /// The rows that still bind the carriers, and whether some of them repeated others. Rows that the configuration
-/// satisfies are gone; one that it makes impossible is an error.
+/// satisfies are gone, as are those that bind accelerations alone; one that it makes impossible is an error.
 pub fn carried(
     system: &mut InitialSystem,
     simplifier: &mut dyn Simplifier,
@@ -101,10 +101,11 @@ pub fn carried(
     let graph = &mut system.graph;
     let zero = graph.zero();
     let at_rest: Vec<(Symbol, Expr)> = carriers.speeds.iter().map(|w| (*w, zero)).collect();
-    let velocities: Vec<Expr> = kept.iter().map(|i| rows[*i].velocity).collect();
+    let binding: Vec<usize> = (0..kept.len()).filter(|position| rows[kept[*position]].binds_speeds()).collect();
+    let velocities: Vec<Expr> = binding.iter().filter_map(|position| rows[kept[*position]].velocity).collect();
     let velocities = graph.substitute(&velocities, &carriers.map);
     let mut carried = Vec::new();
-    for (position, velocity) in velocities.into_iter().enumerate() {
+    for (position, velocity) in binding.into_iter().zip(velocities) {
         let row = &rows[kept[position]];
         let velocity = if carriers.map.is_empty() { velocity } else { simplifier.one(graph, velocity) };
         let gradient: Vec<Expr> = graph

@@ -1,5 +1,6 @@
 //! Constraint rows in the acceleration form C v̇ + c0* = 0 (2.4).
 
+use super::equations::{Level, RowFacts};
 use crate::model::{InitialSystem, Row, RowKind};
 use crate::symbolic::{Expr, Graph, Symbol};
 use proc_macro2::Span;
@@ -11,14 +12,33 @@ pub struct DifferentiatedRow {
     pub name: String,
     /// Where it stands.
     pub span: Span,
+    /// Whether `velocity` is linear in v.
+    pub linear: bool,
     /// f(x, t), for a position row.
     pub position: Option<Expr>,
-    /// ḟ or φ as a function of (v, x, t): zero on the motion, linear in v.
-    pub velocity: Expr,
+    /// ḟ or φ as a function of (v, x, t), zero on the motion; `None` for an acceleration row.
+    pub velocity: Option<Expr>,
     /// The row of C (2.5).
     pub gradient: Vec<Expr>,
-    /// c0* (2.6): the derivative of `velocity` along the motion with v̇ = 0.
+    /// c0* (2.6): the derivative of `velocity` along the motion with v̇ = 0, or as an acceleration row gives it.
     pub bias: Expr,
+}
+
+impl DifferentiatedRow {
+    /// Whether speeds follow from it: f and linear φ take them out of the state, the others bind only accelerations.
+    pub fn binds_speeds(&self) -> bool {
+        self.linear && self.velocity.is_some()
+    }
+
+    /// What the row is, for those who use it.
+    pub fn facts(&self) -> RowFacts {
+        let level = match (self.position, self.velocity) {
+            (Some(_), _) => Level::Position,
+            (None, Some(_)) => Level::Velocity,
+            (None, None) => Level::Acceleration,
+        };
+        RowFacts { name: self.name.clone(), level, linear: self.linear, redundant: false }
+    }
 }
 
 /// The rates of (x, t) along the motion: ẋ = A v + a0 (2.1), ṫ = 1.
@@ -41,12 +61,18 @@ pub fn differentiate(system: &mut InitialSystem) -> Vec<DifferentiatedRow> {
 }
 
 fn differentiate_row(graph: &mut Graph, row: Row, motion: &[(Symbol, Expr)], speeds: &[Symbol]) -> DifferentiatedRow {
-    let (position, velocity) = match row.kind {
+    let Row { name, span, kind } = row;
+    let (linear, position, velocity) = match kind {
         // ḟ = f_x (A v + a0) + f_t; its gradient in v is f_x A, the first line of (2.5).
-        RowKind::Position(f) => (Some(f), graph.along(&[f], motion)[0]),
-        RowKind::Velocity(phi) => (None, phi),
+        RowKind::Position(f) => (true, Some(f), graph.along(&[f], motion)[0]),
+        RowKind::Velocity(phi) => (true, None, phi),
+        // The same two lines hold: C = ∂φ/∂v, c0* = φ_x ẋ + φ_t.
+        RowKind::Nonlinear(phi) => (false, None, phi),
+        RowKind::Acceleration { gradient, bias } => {
+            return DifferentiatedRow { name, span, linear: true, position: None, velocity: None, gradient, bias };
+        }
     };
     let gradient = graph.jacobian(&[velocity], speeds).row(0).to_vec();
     let bias = graph.along(&[velocity], motion)[0];
-    DifferentiatedRow { name: row.name, span: row.span, position, velocity, gradient, bias }
+    DifferentiatedRow { name, span, linear, position, velocity: Some(velocity), gradient, bias }
 }

@@ -5,7 +5,7 @@ use super::constraints::DifferentiatedRow;
 use super::elimination::{Choice, Elimination, eliminate};
 use super::messages;
 use crate::symbolic::modular::{Element, Field};
-use crate::symbolic::{Expr, Graph, Matrix};
+use crate::symbolic::{Expr, Graph, Matrix, Stage};
 use crate::syntax::Diagnostics;
 
 /// A position row whose derivative is a combination of velocity rows: f serves assembly and projection, the rows stand
@@ -79,9 +79,10 @@ pub fn sort(
     columns: usize,
     errors: &mut Diagnostics,
 ) -> Sorted {
-    // Velocity rows first: where a position row repeats them, they are the ones that stay.
-    let (positions, velocities): (Vec<usize>, Vec<usize>) = (0..rows.len()).partition(|i| rows[*i].position.is_some());
-    let order: Vec<usize> = velocities.into_iter().chain(positions).collect();
+    // Velocity rows first: where a position row repeats them, they are the ones that stay. Rows that bind accelerations
+    // alone come last: what they repeat binds more than they do.
+    let mut order: Vec<usize> = (0..rows.len()).collect();
+    order.sort_by_key(|i| (!rows[*i].binds_speeds(), rows[*i].position.is_some()));
     let gradients: Vec<Vec<Expr>> = rows.iter().map(|row| row.gradient.clone()).collect();
     let mut kept = independent(graph, &gradients, &order);
     kept.sort_unstable();
@@ -111,13 +112,18 @@ fn relate(
     for i in dependent {
         let row = &rows[*i];
         let coefficients = combination(graph, simplifier, &elimination, &row.gradient);
-        let terms: Vec<Expr> = coefficients.iter().zip(kept).map(|(c, j)| graph.mul(*c, rows[*j].velocity)).collect();
-        let total = graph.sum(&terms);
         let parts: Vec<(usize, Expr)> =
             kept.iter().copied().zip(coefficients).filter(|(_, c)| !graph.is_zero(*c)).collect();
         let text = text_of(graph, rows, &parts);
-        if !graph.identical(row.velocity, total) {
-            errors.report(row.span, messages::contradictory(&row.name, &text));
+        let (excess, of_velocities) = excess(graph, rows, row, &parts);
+        if !graph.vanishes(excess) {
+            let message = if of_velocities {
+                messages::contradictory(&row.name, &text)
+            } else {
+                let excess = simplifier.one(graph, excess);
+                messages::conflicting(&row.name, &text, &graph.display(excess))
+            };
+            errors.report(row.span, message);
         } else if row.position.is_some() && parts.iter().any(|(j, _)| rows[*j].position.is_none()) {
             merged.push(Merged { row: *i, combination: parts });
         } else {
@@ -125,6 +131,22 @@ fn relate(
         }
     }
     merged
+}
+
+/// By how much a row differs from the combination of others that has its gradient, and whether that is said of the
+/// velocities: else, where it cannot be, of c0*.
+fn excess(
+    graph: &mut Graph,
+    rows: &[DifferentiatedRow],
+    row: &DifferentiatedRow,
+    parts: &[(usize, Expr)],
+) -> (Expr, bool) {
+    let all = row.velocity.is_some() && parts.iter().all(|(j, _)| rows[*j].velocity.is_some());
+    let of_velocities = all && parts.iter().all(|(_, c)| graph.stage(*c) <= Stage::Coordinate);
+    let value = |row: &DifferentiatedRow| row.velocity.filter(|_| of_velocities).unwrap_or(row.bias);
+    let terms: Vec<Expr> = parts.iter().map(|(j, c)| graph.mul(*c, value(&rows[*j]))).collect();
+    let total = graph.sum(&terms);
+    (graph.sub(value(row), total), of_velocities)
 }
 
 /// `2*a - cos(theta)*b` over the names of rows.

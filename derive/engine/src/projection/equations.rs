@@ -153,21 +153,26 @@ impl Equations {
         equations.groups().into_iter().flatten().map(|e| *e).collect()
     }
 
-    /// The functions of the state, guards apart.
+    /// The functions of the state that a run needs, guards apart. Where rows bind accelerations alone, M_d, h_u* and D are
+    /// not among them: they divide by pivots that the motion does not need.
     pub fn state_roots(&self) -> Vec<Expr> {
-        let lists = [
+        let mut roots: Vec<Expr> = [
             &self.coordinate_rates,
             &self.accelerations,
-            &self.forcing,
             &self.multipliers,
             &self.initial_coordinates,
             &self.velocities,
-            &self.complement_bias,
             &self.velocity_rates,
-        ];
-        let matrices = [&self.mass_matrix, &self.complement];
-        let of_matrices = matrices.into_iter().flat_map(|m| m.entries().iter().copied());
-        lists.into_iter().flatten().copied().chain(of_matrices).collect()
+        ]
+        .into_iter()
+        .flatten()
+        .copied()
+        .collect();
+        if self.reduced_speeds == self.state_speeds {
+            roots.extend(self.forcing.iter().chain(&self.complement_bias));
+            roots.extend(self.mass_matrix.entries().iter().chain(self.complement.entries()));
+        }
+        roots
     }
 
     /// The expressions in groups that are computed together, to be replaced by cheaper ones in place.

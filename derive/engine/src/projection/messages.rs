@@ -8,6 +8,30 @@ pub(crate) fn contradictory(name: &str, combination: &str) -> String {
     )
 }
 
+/// A row binds accelerations that others bind, and nothing tells that it says the same.
+pub(crate) fn conflicting(name: &str, combination: &str, difference: &str) -> String {
+    format!(
+        "constraint `{name}` binds the same accelerations as {combination}, and to other values unless {difference} is 0; \
+         remove one of them"
+    )
+}
+
+/// On the motions that the other rows leave, a row binds nothing or what others bind.
+pub(crate) fn dependent_on_motions(name: &str) -> String {
+    format!(
+        "constraint `{name}` depends on the other rows: on the motions that they leave it binds no further acceleration; \
+         remove it, its reaction cannot be told apart"
+    )
+}
+
+/// On the motions that the other rows leave, a row cannot hold.
+pub(crate) fn excluded_on_motions(name: &str, excess: &str) -> String {
+    format!(
+        "constraint `{name}` cannot hold: on the motions that the other rows leave, it binds no further acceleration, but \
+         demands that {excess} be 0"
+    )
+}
+
 /// A row repeats others.
 pub(crate) fn dependent(name: &str, position: bool, combination: &str) -> String {
     let what = if position { "the derivative of constraint" } else { "constraint" };

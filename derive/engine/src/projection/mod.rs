@@ -8,8 +8,10 @@
 //! | [`carriers`] | partial velocities of a configuration (4.9), and the rows that still bind |
 //! | [`tangent`] | the basis D and the bias a_u, by pivots |
 //! | [`complement`] | the basis D as the user gives it |
+//! | [`acceleration`] | the rows that bind only the rates of the state's speeds |
 //! | [`judge`] | the choice of speeds at the start that the model names |
 //! | [`dynamics`] | M_d and h_u* (4.10), (5.6) |
+//! | [`motion`] | the rates u̇ of the state's speeds |
 //! | [`factorisation`] | L D Lᵀ along the zero pattern |
 //! | [`reactions`] | λ for all rows in the initial space |
 //! | [`guards`] | every quantity by which the result divides |
@@ -17,6 +19,7 @@
 //! | [`equations`] | the result |
 //! | `messages` | every sentence that this step can say to a user |
 
+pub mod acceleration;
 pub mod carriers;
 pub mod complement;
 pub mod constraints;
@@ -28,6 +31,7 @@ pub mod factorisation;
 pub mod guards;
 pub mod judge;
 pub(crate) mod messages;
+pub mod motion;
 pub mod project;
 pub mod reactions;
 pub mod tangent;

@@ -1,14 +1,15 @@
 //! The steps in order.
 
+use super::acceleration::{self, bound};
 use super::carriers::{Carriers, carriers};
 use super::constraints::differentiate;
 use super::dependence::{Sorted, sort};
 use super::dynamics::{reduce, to_state};
-use super::equations::{Equations, Level, RowFacts};
-use super::factorisation::factorise;
+use super::equations::Equations;
 use super::guards::Guards;
 use super::judge::judge;
-use super::reactions::{Motion, rates as motion_of, reactions};
+use super::motion::solve;
+use super::reactions::{Motion, rates as rates_of, reactions};
 use super::tangent::tangent;
 use super::{Simplifier, constraints::DifferentiatedRow, messages};
 use crate::model::InitialSystem;
@@ -37,6 +38,9 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     if !errors.is_empty() {
         return Err(errors);
     }
+    let Some(bound) = bound(&mut system, simplifier, &rows, &sorted.kept, &carriers, &tangent, &mut errors) else {
+        return Err(errors);
+    };
     let mut guards = Guards::default();
     for pivot in system.kinematics.pivots.clone() {
         let pivot = to_state(&mut system.graph, &carriers, &tangent, &[pivot])[0];
@@ -45,27 +49,17 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     let names: Vec<String> = sorted.kept.iter().map(|i| rows[*i].name.clone()).collect();
     let binding: Vec<String> = tangent.rows.iter().map(|position| names[*position].clone()).collect();
     for pivot in &tangent.pivots {
-        let origin = "the independent speeds do not determine the others where it vanishes (3.1)";
-        guards.pivot(&system.graph, *pivot, origin, &binding);
+        guards.pivot(&system.graph, *pivot, TANGENT_PIVOT, &binding);
     }
-    let dynamics = reduce(&mut system, simplifier, &carriers, &tangent);
-    let name = |system: &InitialSystem, i: usize| system.graph.name(tangent.speeds[i]).to_owned();
-    let span = system.places.inertia;
-    let factors = match factorise(&mut system.graph, simplifier, &dynamics.mass_matrix) {
-        Ok(factors) => factors,
-        Err(i) => {
-            errors.report(span, messages::singular_inertia(&name(&system, i)));
-            return Err(errors);
-        }
+    let dynamics = reduce(&mut system, simplifier, &carriers, &tangent, &bound);
+    let by_third: Vec<String> = bound.rows.iter().map(|position| names[*position].clone()).collect();
+    let stages = (&tangent, &bound);
+    let watched = (&mut guards, by_third.as_slice());
+    let Some(solution) = solve(&mut system, simplifier, stages, &dynamics, watched, &mut errors) else {
+        return Err(errors);
     };
-    for (p, pivot) in factors.order.iter().zip(&factors.pivots) {
-        if let Err(text) = guards.positive(&mut system.graph, *pivot, "a pivot of D M D\u{1d40} (4.10)", &[]) {
-            errors.report(span, messages::negative_inertia(&name(&system, *p), &text));
-        }
-    }
-    let accelerations = factors.solve(&mut system.graph, simplifier, &dynamics.forcing);
-    let accelerations: Vec<Expr> = accelerations.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
-    let motion = Motion { carriers: &carriers, tangent: &tangent, dynamics: &dynamics, accelerations: &accelerations };
+    let motion =
+        Motion { carriers: &carriers, tangent: &tangent, bound: &bound, dynamics: &dynamics, solution: &solution };
     let Some(reactions) = reactions(&mut system, simplifier, &rows, &sorted.kept, motion, &mut errors) else {
         return Err(errors);
     };
@@ -85,21 +79,23 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     let v = system.graph.vars(&system.speeds);
     let velocities = to_state(&mut system.graph, &carriers, &tangent, &v);
     let velocities = velocities.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
-    let velocity_rates = motion_of(&mut system.graph, &dynamics.complement, &accelerations, &dynamics.bias);
+    let velocity_rates =
+        rates_of(&mut system.graph, &dynamics.speed_complement, &solution.accelerations, &dynamics.speed_bias);
     let velocity_rates = velocity_rates.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
     let kinetic_energy = kinetic_energy(&mut system);
     let select = |f: &dyn Fn(&DifferentiatedRow) -> Expr| sorted.kept.iter().map(|i| f(&rows[*i])).collect::<Vec<_>>();
     let gradients = sorted.kept.iter().map(|i| rows[*i].gradient.clone()).collect();
     let positions: Vec<&DifferentiatedRow> = rows.iter().filter(|row| row.position.is_some()).collect();
     let mut notes: Vec<String> = tangent.note.iter().cloned().collect();
+    notes.extend(acceleration::notes(&system.graph, &rows, &sorted.kept, &tangent, &bound));
     notes.extend(names.notes);
     Ok(Equations {
         time: system.time,
         state_coordinates: carriers.coordinates.clone(),
         state_speeds: tangent.speeds.clone(),
-        reduced_speeds: tangent.speeds.clone(),
+        reduced_speeds: bound.speeds.clone(),
         coordinate_rates,
-        accelerations,
+        accelerations: solution.accelerations,
         mass_matrix: dynamics.mass_matrix,
         forcing: dynamics.forcing,
         initial_coordinates,
@@ -117,10 +113,10 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         constraint_matrix: Matrix::from_rows(gradients, n),
         constraint_bias: select(&|row| row.bias),
         position_residual: positions.iter().filter_map(|row| row.position).collect(),
-        velocity_residual: select(&|row| row.velocity),
+        velocity_residual: sorted.kept.iter().filter_map(|i| rows[*i].velocity).collect(),
         kinetic_energy,
         potential_energy: system.potential,
-        rows: sorted.kept.iter().map(|i| facts(&rows[*i])).collect(),
+        rows: sorted.kept.iter().map(|i| rows[*i].facts()).collect(),
         position_names: positions.iter().map(|row| row.name.clone()).collect(),
         multiplier_names: names.names,
         multiplier_rows: names.rows,
@@ -131,12 +127,6 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         speeds: system.speeds,
         graph: system.graph,
     })
-}
-
-/// What a row of C is, for those who use it.
-fn facts(row: &DifferentiatedRow) -> RowFacts {
-    let level = if row.position.is_some() { Level::Position } else { Level::Velocity };
-    RowFacts { name: row.name.clone(), level, linear: true, redundant: false }
 }
 
 /// f(g(q, t)) ≡ 0 for the position rows that the configuration is to satisfy.

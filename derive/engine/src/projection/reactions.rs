@@ -3,15 +3,18 @@
 //! With v̇ known, M v̇ - h* = Cᵀ λ (2.8a) has a solution, and the rows of C at its pivots give it without M⁻¹ and
 //! without M_c: λ = C_d⁻ᵀ (M v̇ - h*)_d. It equals (3.6) wherever M is regular, and holds where M is not. Where the
 //! pivots of C would need guards of their own, (C Cᵀ) λ = C (M v̇ - h*) is solved instead. With a configuration the rows
-//! that bind its rates come first, in the carriers' space; the rows that it satisfies carry what is left.
+//! that bind its rates come first, in the carriers' space; the rows that it satisfies carry what is left. Before all come
+//! the rows that bind accelerations alone, in the space of the state's speeds.
 
 use super::Simplifier;
+use super::acceleration::Bound;
 use super::carriers::Carriers;
 use super::constraints::DifferentiatedRow;
 use super::dynamics::{Dynamics, to_state};
 use super::elimination::{Choice, eliminate};
 use super::factorisation::factorise;
 use super::messages;
+use super::motion::Solution;
 use super::tangent::Tangent;
 use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Graph, Matrix};
@@ -33,10 +36,12 @@ pub struct Motion<'a> {
     pub carriers: &'a Carriers,
     /// The second stage.
     pub tangent: &'a Tangent,
+    /// The third stage.
+    pub bound: &'a Bound,
     /// The reduced system.
     pub dynamics: &'a Dynamics,
-    /// u̇.
-    pub accelerations: &'a [Expr],
+    /// u̇, and what came with it.
+    pub solution: &'a Solution,
 }
 
 /// λ of all kept rows.
@@ -48,11 +53,12 @@ pub fn reactions(
     motion: Motion<'_>,
     errors: &mut Diagnostics,
 ) -> Option<Reactions> {
-    let Motion { carriers, tangent, dynamics, accelerations } = motion;
-    let (n, m, k) = (system.speeds.len(), kept.len(), accelerations.len());
-    if m < n - k && tangent.rows.len() < m {
+    let Motion { carriers, tangent, bound, dynamics, solution } = motion;
+    let (n, m, k) = (system.speeds.len(), kept.len(), bound.speeds.len());
+    let binding: Vec<usize> = tangent.rows.iter().chain(&bound.rows).copied().collect();
+    if m < n - k && binding.len() < m {
         // The configuration has reactions of its own that no row states.
-        for (_, i) in kept.iter().enumerate().filter(|(position, _)| !tangent.rows.contains(position)) {
+        for (_, i) in kept.iter().enumerate().filter(|(position, _)| !binding.contains(position)) {
             errors.report(rows[*i].span, messages::reaction_undetermined(&rows[*i].name, n - k - m));
         }
         return None;
@@ -63,25 +69,35 @@ pub fn reactions(
         Matrix::from_rows(gradients, n).map(|entries| entries.iter().map(|e| simplifier.one(graph, *e)).collect())
     };
     let all: Vec<usize> = (0..m).collect();
-    if tangent.overlapping {
-        let rate = rates(graph, &dynamics.complement, accelerations, &dynamics.bias);
+    let net = |graph: &mut Graph| -> Vec<Expr> {
+        let rate = rates(graph, &dynamics.speed_complement, &solution.accelerations, &dynamics.speed_bias);
+        (0..n).map(|i| residual(graph, &dynamics.inertia, &dynamics.forces, &rate, i)).collect()
+    };
+    if tangent.overlapping || bound.overlapping {
         let c = c(graph, simplifier, &all);
-        let r: Vec<Expr> = (0..n).map(|i| residual(graph, &dynamics.inertia, &dynamics.forces, &rate, i)).collect();
+        let r = net(graph);
         return Some(solve(graph, simplifier, &c, &r));
     }
-    // Rows that bind the carriers: the configuration's own reactions do no work there and drop out.
-    let mut found = among_carriers(graph, simplifier, motion);
-    let absorbed: Vec<usize> = all.into_iter().filter(|p| !tangent.rows.contains(p)).collect();
+    // Rows that bind u̇ alone come first: in the space of the speeds the others do no work and drop out.
+    let third = match &solution.multipliers {
+        Some(multipliers) => multipliers.clone(),
+        None => among_speeds(graph, simplifier, motion),
+    };
+    let of_third = c(graph, simplifier, &bound.rows).transpose().mul_vec(graph, &third);
+    // Then the rows that bind the carriers: the configuration's own reactions do no work there.
+    let mut found = among_carriers(graph, simplifier, motion, &of_third);
+    let absorbed: Vec<usize> = all.into_iter().filter(|p| !binding.contains(p)).collect();
     let mut multipliers = vec![graph.zero(); m];
     tangent.rows.iter().zip(&found.multipliers).for_each(|(p, lambda)| multipliers[*p] = *lambda);
+    bound.rows.iter().zip(&third).for_each(|(p, lambda)| multipliers[*p] = *lambda);
     if !absorbed.is_empty() {
         // Rows that the configuration satisfies carry what is left in the initial space.
-        let rate = rates(graph, &dynamics.complement, accelerations, &dynamics.bias);
         let carried = c(graph, simplifier, &tangent.rows).transpose().mul_vec(graph, &found.multipliers);
+        let r = net(graph);
         let r: Vec<Expr> = (0..n)
             .map(|i| {
-                let total = residual(graph, &dynamics.inertia, &dynamics.forces, &rate, i);
-                graph.sub(total, carried[i])
+                let others = graph.add(carried[i], of_third[i]);
+                graph.sub(r[i], others)
             })
             .collect();
         let c = c(graph, simplifier, &absorbed);
@@ -92,19 +108,45 @@ pub fn reactions(
     Some(Reactions { multipliers, pivots: found.pivots })
 }
 
-/// λ of the rows that bind the carriers, from M1 ẇ - h1 = C2ᵀ λ.
-fn among_carriers(graph: &mut Graph, simplifier: &mut dyn Simplifier, motion: Motion<'_>) -> Reactions {
-    let Motion { carriers, tangent, dynamics, accelerations } = motion;
-    let rate = rates(graph, &tangent.complement, accelerations, &tangent.bias);
+/// λ of the rows that bind u̇ alone, from M_w u̇ - h_w = C̃ᵀ λ, at the pivots of C̃.
+fn among_speeds(graph: &mut Graph, simplifier: &mut dyn Simplifier, motion: Motion<'_>) -> Vec<Expr> {
+    let Motion { bound, dynamics, solution, .. } = motion;
+    let Some(elimination) = &bound.elimination else { return Vec::new() };
+    let mut at_pivots = Vec::with_capacity(elimination.pivots.len());
+    for j in &elimination.pivots {
+        let r = residual(graph, &dynamics.speed_inertia, &dynamics.speed_forces, &solution.accelerations, *j);
+        at_pivots.push(simplifier.one(graph, r));
+    }
+    let multipliers = elimination.inverse.transpose().mul_vec(graph, &at_pivots);
+    multipliers.into_iter().map(|e| simplifier.one(graph, e)).collect()
+}
+
+/// λ of the rows that bind the carriers, from M1 ẇ - h1 = C2ᵀ λ + what the rows that bind u̇ alone exert.
+fn among_carriers(
+    graph: &mut Graph,
+    simplifier: &mut dyn Simplifier,
+    motion: Motion<'_>,
+    of_third: &[Expr],
+) -> Reactions {
+    let Motion { carriers, tangent, dynamics, solution, .. } = motion;
+    let rate = rates(graph, &tangent.complement, &solution.accelerations, &tangent.bias);
     let (inertia, forces) = (&dynamics.carrier_inertia, &dynamics.carrier_forces);
+    let of_third = match &carriers.partial_velocities {
+        None => of_third.to_vec(),
+        Some(partial) => partial.transpose().mul_vec(graph, of_third),
+    };
+    let net = |graph: &mut Graph, j: usize| {
+        let total = residual(graph, inertia, forces, &rate, j);
+        graph.sub(total, of_third[j])
+    };
     let Some(elimination) = &tangent.elimination else {
         let c = tangent.gradients.map(|entries| to_state(graph, carriers, tangent, entries));
-        let r: Vec<Expr> = (0..c.columns()).map(|i| residual(graph, inertia, forces, &rate, i)).collect();
+        let r: Vec<Expr> = (0..c.columns()).map(|i| net(graph, i)).collect();
         return solve(graph, simplifier, &c, &r);
     };
     let mut at_pivots = Vec::with_capacity(elimination.pivots.len());
     for j in &elimination.pivots {
-        let r = residual(graph, inertia, forces, &rate, *j);
+        let r = net(graph, *j);
         at_pivots.push(simplifier.one(graph, r));
     }
     let inverse = elimination.inverse.map(|entries| to_state(graph, carriers, tangent, entries));

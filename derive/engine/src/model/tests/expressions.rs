@@ -83,7 +83,7 @@ fn every_message_about_an_expression() {
             r#"#[forces(dot(x*y), dot(m))]"#,
             &[
                 "1:10 `dot`: `dot` takes the name of a coordinate; apply the chain rule, or make the expression a coordinate",
-                "1:20 `dot`: `m` is a field; `dot` takes the name of a coordinate",
+                "1:20 `dot`: `m` is a field; `dot` takes the name of a coordinate or of a speed",
             ],
         ),
         (
@@ -96,8 +96,8 @@ fn every_message_about_an_expression() {
         (
             r#"#[forces(ddot(x), dot(dot(x)))]"#,
             &[
-                "1:10 `ddot`: `ddot(x)` is an acceleration; acceleration-level equations are not supported yet",
-                "1:19 `dot`: the rate of a rate is an acceleration; acceleration-level equations are not supported yet",
+                "1:10 `ddot`: `ddot(x)` is an acceleration, but forces may depend on parameters, coordinates of `coordinates`, speeds, inputs and `t` only",
+                "1:19 `dot`: the rate of a rate is written `ddot(x)`, with the name of a coordinate",
             ],
         ),
         (

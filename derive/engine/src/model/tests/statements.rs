@@ -53,7 +53,7 @@ fn every_message_about_a_statement() {
         (
             r#"#[inputs(u)] #[constraint(a: x == u)]"#,
             &[
-                "1:35 `u`: `u` is an input, but a constraint may depend on parameters, coordinates of `coordinates`, speeds and `t` only",
+                "1:35 `u`: `u` is an input, but a constraint may depend on parameters, coordinates of `coordinates`, speeds, accelerations and `t` only",
             ],
         ),
         (
@@ -96,7 +96,7 @@ fn every_message_about_a_statement() {
             &[
                 "1:42 `x`: `x` is a coordinate; its rate is `dot(x)`",
                 "1:49 `m`: `m` is a field; kinematics give a speed or the rate of a coordinate",
-                "1:56 `dot(u)`: `dot(u)` is an acceleration; acceleration-level equations are not supported yet",
+                "1:56 `dot(u)`: `dot(u)` is an acceleration, which only `constraint` can bind",
                 "1:68 `dot(z)`: cannot find `z` in this model",
             ],
         ),
@@ -162,20 +162,24 @@ fn every_message_about_a_statement() {
         ),
         (r#"#[constraint(a: x == 0)] #[constraint(a: y == 0)]"#, &["1:39 `a`: there is a constraint `a` already"]),
         (
-            r#"#[constraint(a: dot(x)*dot(x) == 0)]"#,
+            r#"#[constraint(a: ddot(x)*dot(x) == ddot(x)*ddot(x))]"#,
             &[
-                "1:14 `a`: the constraint `a` is not linear in `dot(x)`; nonlinear velocity constraints are not supported yet",
+                "1:14 `a`: the constraint `a` is not linear in `ddot(x)`: constraints may be nonlinear in velocities, but not in accelerations",
             ],
         ),
         (
-            r#"#[constraint(a: sqrt(dot(x)) == y)]"#,
+            r#"#[speeds(u, v)] #[kinematics(u = dot(x), v = dot(y))] #[constraint(a: sqrt(dot(v)) == y)]"#,
             &[
-                "1:14 `a`: the constraint `a` is not linear in `dot(x)`; nonlinear velocity constraints are not supported yet",
+                "1:68 `a`: the constraint `a` is not linear in `dot(v)`: constraints may be nonlinear in velocities, but not in accelerations",
             ],
         ),
         (
-            r#"#[speeds(u, v)] #[kinematics(u = dot(x), v = dot(y))] #[constraint(a: dot(v) == 0)]"#,
-            &["1:71 `dot`: `dot(v)` is an acceleration; acceleration-level equations are not supported yet"],
+            r#"#[constraint(a: ddot(x) - ddot(x) == dot(y))]"#,
+            &["1:14 `a`: the constraint `a` binds no acceleration: all its coefficients vanish; write it without them"],
+        ),
+        (
+            r#"#[speeds(u, v)] #[kinematics(u = dot(x), v = dot(y))] #[constraint(a: ddot(v) == 0)]"#,
+            &["1:71 `ddot`: `v` is a speed; its rate is written `dot(v)`, and `ddot` takes the name of a coordinate"],
         ),
         (r#"#[constraint(a: z == 0)]"#, &["1:17 `z`: cannot find `z` in this model"]),
         (
@@ -232,7 +236,7 @@ fn every_message_about_a_statement() {
         (
             r#"#[speeds(u, v)] #[kinematics(u = dot(x), v = dot(y))] #[independent(dot(u), uu)]"#,
             &[
-                "1:69 `dot(u)`: `dot(u)` is an acceleration; acceleration-level equations are not supported yet",
+                "1:69 `dot(u)`: `dot(u)` is an acceleration, which only `constraint` can bind",
                 "1:77 `uu`: cannot find `uu` in this model; did you mean `u`?",
             ],
         ),

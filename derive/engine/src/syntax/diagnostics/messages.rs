@@ -171,7 +171,7 @@ pub(crate) const RULE_POTENTIAL: &str = "the potential energy may depend on para
 pub(crate) const RULE_FORCES: &str =
     "forces may depend on parameters, coordinates of `coordinates`, speeds, inputs and `t` only";
 pub(crate) const RULE_CONSTRAINT: &str =
-    "a constraint may depend on parameters, coordinates of `coordinates`, speeds and `t` only";
+    "a constraint may depend on parameters, coordinates of `coordinates`, speeds, accelerations and `t` only";
 pub(crate) const RULE_CONFIGURATION: &str =
     "a coordinate is given by parameters, other coordinates and `t` in `configuration`";
 pub(crate) const RULE_COMPLEMENT: &str = "the entries of D may depend on parameters, coordinates and `t` only";
@@ -196,15 +196,17 @@ messages! {
     not_finite() =
         "this value is not finite";
     dot_of_no_coordinate(name, what) =
-        "`{name}` is {what}; `dot` takes the name of a coordinate";
+        "`{name}` is {what}; `dot` takes the name of a coordinate or of a speed";
     dot_of_expression() =
         "`dot` takes the name of a coordinate; apply the chain rule, or make the expression a coordinate";
     scalar_product() =
         "`dot` with two arguments is the scalar product of vectors, which is not supported yet";
     acceleration(function, name) =
-        "`{function}({name})` is an acceleration; acceleration-level equations are not supported yet";
-    acceleration_of_rate() =
-        "the rate of a rate is an acceleration; acceleration-level equations are not supported yet";
+        "`{function}({name})` is an acceleration, which only `constraint` can bind";
+    rate_of_rate() =
+        "the rate of a rate is written `ddot(x)`, with the name of a coordinate";
+    second_rate_of_speed(name) =
+        "`{name}` is a speed; its rate is written `dot({name})`, and `ddot` takes the name of a coordinate";
 }
 
 // The system.
@@ -251,8 +253,11 @@ messages! {
         "the constraint `{name}` binds no coordinate and no speed";
     constraint_without_speed(name) =
         "the constraint `{name}` binds no speed: all its coefficients vanish";
+    constraint_without_acceleration(name) =
+        "the constraint `{name}` binds no acceleration: all its coefficients vanish; write it without them";
     constraint_not_linear(name, variable) =
-        "the constraint `{name}` is not linear in `{variable}`; nonlinear velocity constraints are not supported yet";
+        "the constraint `{name}` is not linear in `{variable}`: constraints may be nonlinear in velocities, \
+         but not in accelerations";
     configuration_left_side(name, what) =
         "`{name}` is {what}; `configuration` gives coordinates of `coordinates`, further ones stand in `of(..)`";
     configuration_twice(name) =

@@ -1,9 +1,0 @@
-#[coordinates(x, y)]
-#[inertia(diag(m, m))]
-#[forces(0, -m*g)]
-#[constraint(speed: powi(dot(x), 2) + powi(dot(y), 2) == powi(c, 2))]
-pub struct ConstantSpeed {
-    pub m: f64,
-    pub g: f64,
-    pub c: f64,
-}
