@@ -1,23 +1,22 @@
-//! Assembly: closing the position constraints from a guess.
+//! Assembly: closing the constraints from a guess, with whatever else is asked for.
 
+mod conditions;
+mod metric;
+mod newton;
+mod problem;
+mod report;
+
+use alloc::rc::Rc;
 use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
 
-use nalgebra::{DMatrix, DVector};
+use crate::{ConstrainedSystem, Dual, Error, Prepared, Vector};
 
-use crate::manifold::Manifold;
-use crate::{ConstrainedSystem, Error, Prepared, Vector};
+use conditions::{Meeting, Wish, sort};
+use problem::Problem;
 
-/// A residual below this many units of rounding of its terms is met.
-const MET: f64 = 8.0 * f64::EPSILON;
-/// Where Newton's method makes no more progress, a residual below this fraction of its terms is met.
-const STALLED: f64 = 1e-12;
-/// Singular values below this fraction of the largest count as zero.
-const RANK: f64 = 1e-10;
-const PASSES: usize = 3;
-const ITERATIONS: usize = 200;
-const HALVINGS: usize = 40;
+pub use report::{AssemblyReport, Met};
 
 /// A configuration in the making; from [`Prepared::assemble`].
 ///
@@ -32,10 +31,26 @@ const HALVINGS: usize = 40;
 /// assert_eq!(start.x, 0.3);
 /// assert!((start.y + 0.4).abs() < 1e-15);
 ///
-/// // The rod is too short for x = 0.7.
-/// let guess = PendulumState { x: 0.7, y: -1.0, dot_x: 0.0 };
-/// let error = pendulum.assemble(guess).hold("x").solve().unwrap_err();
-/// assert!(matches!(error, Error::Assembly { constraint: "rod", .. }));
+/// // Any coordinate and any velocity may be asked for: ẏ = 0.6 makes ẋ = 0.8.
+/// let start = pendulum.assemble(guess).set("x", 0.3).set("dot_y", 0.6).solve()?;
+/// assert!((start.dot_x - 0.8).abs() < 1e-15);
+///
+/// // So may any quantity, written over dual numbers: a speed for an energy.
+/// let guess = PendulumState { dot_x: 1.0, ..guess };
+/// let start = pendulum.assemble(guess).hold("x").meet("energy", 0.0, |model, t, s| model.energy(t, s)).solve()?;
+/// assert!(pendulum.energy(0.0, &start).abs() < 1e-14);
+///
+/// // The rod is too short for x = 0.7. The error tells by how much, and what is in the way.
+/// let error = pendulum.assemble(guess).set("x", 0.7).solve().unwrap_err();
+/// let Error::Assembly { constraint: "rod", residual, report } = error else { panic!("{error}") };
+/// assert!((residual - 0.12).abs() < 1e-9);
+/// assert_eq!(report.conflicts, ["x"]);
+///
+/// // A longer one is found if it may change.
+/// let found = pendulum.assemble(guess).set("x", 0.7).hold("y").solve_for("l").solve_all()?;
+/// assert!((found.parameters.l - 0.7_f64.hypot(1.0)).abs() < 1e-14);
+/// let longer = Prepared::with_parameters(Pendulum { m: 2.0, l: 0.5, g: 9.81 }, found.parameters)?;
+/// assert!(longer.position_residual_at(0.0, &found.state)[0].abs() < 1e-15);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone)]
@@ -43,23 +58,82 @@ pub struct Assembly<'a, M: ConstrainedSystem> {
     model: &'a Prepared<M>,
     guess: M::State<f64>,
     time: f64,
-    held: Vec<String>,
+    wishes: Vec<Wish>,
+    meetings: Vec<Meeting<M>>,
+    parameters: Vec<String>,
+    mass_weighted: bool,
+}
+
+/// What an assembly found; from [`Assembly::solve_all`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assembled<M: ConstrainedSystem> {
+    /// The state.
+    pub state: M::State<f64>,
+    /// The parameters: those of the model, but for the ones solved for. Prepare the model with them
+    /// ([`Prepared::with_parameters`]) where there are such; the state belongs to them.
+    pub parameters: M::Parameters<f64>,
+    /// What was met, and how well.
+    pub report: AssemblyReport,
 }
 
 impl<M: ConstrainedSystem> Prepared<M> {
-    /// Closes the position constraints by moving the coordinates of a guess as little as Newton's method needs; see [`Assembly`].
+    /// Closes the constraints by moving a guess as little as Newton's method needs; see [`Assembly`].
     ///
-    /// The independent speeds stay as they are: with them, all velocities satisfy the velocity constraints by construction.
+    /// First the coordinates are moved until all position constraints and what was asked of positions are met. Then the speeds
+    /// of the state are, but only if something was asked of velocities or a constraint is nonlinear in them: with any other
+    /// speeds all velocities satisfy the constraints by construction.
     pub fn assemble(&self, guess: M::State<f64>) -> Assembly<'_, M> {
-        Assembly { model: self, guess, time: 0.0, held: Vec::new() }
+        Assembly {
+            model: self,
+            guess,
+            time: 0.0,
+            wishes: Vec::new(),
+            meetings: Vec::new(),
+            parameters: Vec::new(),
+            mass_weighted: false,
+        }
     }
 }
 
 impl<M: ConstrainedSystem> Assembly<'_, M> {
-    /// Keeps a coordinate at its value in the guess. Speeds are always kept.
+    /// Keeps a coordinate or a velocity at its value in the guess: an entry of the state, or one of x or v that depends on it.
     #[must_use]
-    pub fn hold(mut self, name: &str) -> Self {
-        self.held.push(name.into());
+    pub fn hold(self, name: &str) -> Self {
+        self.wish(name, None)
+    }
+
+    /// Asks for a value of a coordinate or of a velocity: an entry of the state, or one of x or v that depends on it.
+    #[must_use]
+    pub fn set(self, name: &str, value: f64) -> Self {
+        self.wish(name, Some(value))
+    }
+
+    /// Asks for a value of any quantity of time and state, which is given over dual numbers. `name` names it in the report.
+    ///
+    /// Where it depends on speeds they are solved for, otherwise the coordinates.
+    #[must_use]
+    pub fn meet<F>(mut self, name: &'static str, value: f64, quantity: F) -> Self
+    where
+        F: Fn(&Prepared<M, Dual>, Dual, &M::State<Dual>) -> Dual + 'static,
+    {
+        self.meetings.retain(|meeting| meeting.name != name);
+        self.meetings.push(Meeting { name, value, quantity: Rc::new(quantity) });
+        self
+    }
+
+    /// Lets a parameter change, in proportion to its value, as the coordinates may. Use [`solve_all`](Self::solve_all), which
+    /// gives it back.
+    #[must_use]
+    pub fn solve_for(mut self, parameter: &str) -> Self {
+        self.parameters.push(parameter.into());
+        self
+    }
+
+    /// Measures the change of coordinates and of speeds by the kinetic energy of a motion along it, instead of by the sum of
+    /// squares: heavy parts move less, and units do not matter.
+    #[must_use]
+    pub fn mass_weighted(mut self) -> Self {
+        self.mass_weighted = true;
         self
     }
 
@@ -70,24 +144,31 @@ impl<M: ConstrainedSystem> Assembly<'_, M> {
         self
     }
 
-    /// A state that meets all position constraints to rounding, or the constraint that is missed most.
+    /// A state that meets all to rounding, or [`Error::Assembly`] with a report of what could not be met and by how much.
     pub fn solve(self) -> Result<M::State<f64>, Error> {
-        let names = <M::State<f64> as Vector<f64>>::NAMES;
-        let mut free = alloc::vec![true; M::MODEL.state_coordinates.len()];
-        for name in self.held {
-            match names.iter().position(|entry| *entry == name) {
-                Some(at) => free.iter_mut().skip(at).take(1).for_each(|free| *free = false),
-                None => return Err(Error::UnknownName { name, known: names.to_vec() }),
+        Ok(self.solve_all()?.state)
+    }
+
+    /// The same with the parameters, and the report.
+    pub fn solve_all(self) -> Result<Assembled<M>, Error> {
+        check_finite::<M>(self.time, &self.guess)?;
+        for (name, value) in self.meetings.iter().map(|meeting| (meeting.name, meeting.value)) {
+            if !value.is_finite() {
+                return Err(Error::NonFinite { name });
             }
         }
-        check_finite::<M>(self.time, &self.guess)?;
-        let mut s = self.guess;
-        for _ in 0..PASSES {
-            // Far from the solution the terms are large, and so is their rounding: what counts is their size at the solution.
-            let mut manifold = Manifold::new(self.model, self.time, &s)?;
-            s = newton(self.model, &mut manifold, self.time, s, &free)?;
-        }
-        Ok(s)
+        let sorted = sort(self.model, self.time, &self.guess, self.wishes, self.meetings, &self.parameters)?;
+        let mut problem = Problem::new(self.model, self.time, sorted, self.mass_weighted)?;
+        let mut report = problem.solve_positions()?;
+        report.append(problem.solve_velocities()?);
+        Ok(Assembled { state: problem.state(), parameters: problem.parameters(), report })
+    }
+
+    /// The last word on a name counts.
+    fn wish(mut self, name: &str, value: Option<f64>) -> Self {
+        self.wishes.retain(|wish| wish.name != name);
+        self.wishes.push(Wish { name: name.into(), value });
+        self
     }
 }
 
@@ -96,7 +177,8 @@ impl<M: ConstrainedSystem> fmt::Debug for Assembly<'_, M> {
         out.debug_struct("Assembly")
             .field("guess", &self.guess)
             .field("time", &self.time)
-            .field("held", &self.held)
+            .field("wishes", &self.wishes)
+            .field("solve_for", &self.parameters)
             .finish_non_exhaustive()
     }
 }
@@ -117,101 +199,4 @@ pub(crate) fn first_non_finite<M: ConstrainedSystem>(s: &M::State<f64>) -> Optio
     let array: <M::State<f64> as Vector<f64>>::Array = (*s).into();
     let at = array.as_ref().iter().position(|entry| !entry.is_finite())?;
     Some(<M::State<f64> as Vector<f64>>::NAMES.get(at).copied().unwrap_or("state"))
-}
-
-/// Newton's method with steps of least norm, halved until the residual falls.
-fn newton<M: ConstrainedSystem>(
-    model: &Prepared<M>,
-    manifold: &mut Manifold<M>,
-    t: f64,
-    guess: M::State<f64>,
-    free: &[bool],
-) -> Result<M::State<f64>, Error> {
-    let mut s = guess;
-    let mut f = model.position_residual_at(t, &s).into();
-    for _ in 0..ITERATIONS {
-        if manifold.worst(f.as_ref()).1 <= MET {
-            return Ok(s);
-        }
-        manifold.differentiate(t, &s);
-        if manifold.worst(f.as_ref()).1 <= MET {
-            return Ok(s);
-        }
-        let Some(step) = least_norm_step(manifold, f.as_ref(), free) else {
-            break;
-        };
-        let Some((next, residual)) = descend(model, t, &s, &step, &manifold.sizes, f.as_ref()) else {
-            break;
-        };
-        (s, f) = (next, residual.into());
-    }
-    let (row, ratio) = manifold.worst(f.as_ref());
-    if ratio <= STALLED {
-        return Ok(s);
-    }
-    Err(Error::Assembly {
-        constraint: M::MODEL.position_rows.get(row).copied().unwrap_or("position"),
-        residual: f.as_ref().get(row).copied().unwrap_or(f64::NAN),
-    })
-}
-
-/// The shortest step over the free coordinates that meets the linearised constraints, or comes nearest to it.
-fn least_norm_step<M: ConstrainedSystem>(manifold: &Manifold<M>, f: &[f64], free: &[bool]) -> Option<DVector<f64>> {
-    let weight = |i: usize| {
-        if manifold.sizes[i] > 0.0 { 1.0 / manifold.sizes[i] } else { 1.0 }
-    };
-    let columns = manifold.columns;
-    let jacobian =
-        DMatrix::from_fn(
-            f.len(),
-            columns,
-            |i, j| {
-                if free[j] { manifold.jacobian[i * columns + j] * weight(i) } else { 0.0 }
-            },
-        );
-    let residual = DVector::from_fn(f.len(), |i, _| -f[i] * weight(i));
-    // The decomposition does not end on numbers that are not finite.
-    if jacobian.iter().chain(residual.iter()).any(|entry| !entry.is_finite()) {
-        return None;
-    }
-    let svd = jacobian.try_svd(true, true, f64::EPSILON, 1000)?;
-    let threshold = RANK * svd.singular_values.max();
-    if threshold <= 0.0 {
-        return None;
-    }
-    let mut step = svd.solve(&residual, threshold).ok()?;
-    // Held coordinates move by rounding errors of the decomposition otherwise.
-    step.iter_mut().zip(free).filter(|(_, free)| !**free).for_each(|(delta, _)| *delta = 0.0);
-    Some(step)
-}
-
-/// The longest of the step, its half, its quarter … that makes the residual smaller.
-fn descend<M: ConstrainedSystem>(
-    model: &Prepared<M>,
-    t: f64,
-    s: &M::State<f64>,
-    step: &DVector<f64>,
-    sizes: &[f64],
-    f: &[f64],
-) -> Option<(M::State<f64>, M::PositionRows<f64>)> {
-    let square = |f: &[f64]| -> f64 {
-        f.iter().zip(sizes).map(|(f, size)| if *size > 0.0 { f / size } else { *f }).map(|ratio| ratio * ratio).sum()
-    };
-    let before = square(f);
-    let mut fraction = 1.0;
-    for _ in 0..HALVINGS {
-        let mut array: <M::State<f64> as Vector<f64>>::Array = (*s).into();
-        for (q, delta) in array.as_mut().iter_mut().zip(step.iter()) {
-            *q += fraction * delta;
-        }
-        let next = array.into();
-        let residual = model.position_residual_at(t, &next);
-        let entries = residual.into();
-        // Also false where the residual is not a number.
-        if square(entries.as_ref()) <= (1.0 - 0.1 * fraction) * before {
-            return Some((next, residual));
-        }
-        fraction *= 0.5;
-    }
-    None
 }

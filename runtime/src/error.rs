@@ -1,8 +1,11 @@
 //! What can go wrong, as values that name the culprit.
 
+use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
+
+use crate::AssemblyReport;
 
 /// Why a model could not be prepared, assembled or simulated.
 ///
@@ -64,12 +67,14 @@ pub enum Error {
         /// When.
         time: f64,
     },
-    /// No configuration that meets the position constraints was found.
+    /// No state that meets the constraints, and what else was asked for, was found.
     Assembly {
-        /// The constraint that is missed most, relative to the size of its terms.
+        /// The constraint or quantity that is missed most, relative to the size of its terms.
         constraint: &'static str,
-        /// f at the nearest configuration found: left side minus right side.
+        /// What remains of it at the nearest state found: left side minus right side.
         residual: f64,
+        /// All that was asked for, with what remains, and what is in the way.
+        report: Box<AssemblyReport>,
     },
     /// An entry of the state left the finite numbers.
     Diverged {
@@ -198,11 +203,18 @@ impl fmt::Display for Error {
                 "at t = {time} the coordinates could not be brought back onto the constraint `{constraint}`: left minus right is {residual:e}; \
                  take a smaller step or tolerance, or look for a configuration where the constraints depend on each other"
             ),
-            Error::Assembly { constraint, residual } => write!(
-                out,
-                "no configuration was found that meets the constraint `{constraint}`: left minus right remains {residual:e}; \
-                 start from another guess, hold fewer coordinates, or check the dimensions"
-            ),
+            Error::Assembly { constraint, residual, report } => {
+                write!(
+                    out,
+                    "no state was found that meets the constraint `{constraint}`: left minus right remains {residual:e}; "
+                )?;
+                if !report.conflicts.is_empty() {
+                    out.write_str("in its way are the values asked for ")?;
+                    list(out, &report.conflicts)?;
+                    out.write_str("; ")?;
+                }
+                out.write_str("start from another guess, hold fewer coordinates, or check the dimensions")
+            }
             Error::Diverged { name, time } => write!(
                 out,
                 "`{name}` is no longer finite after t = {time}; take a smaller step, and check forces and inputs"

@@ -36,6 +36,10 @@ pub use components::{ChangeOfBase, Metric};
 pub use null_space::{NullSpace, NullSpaceMethod, RANK_THRESHOLD};
 pub use stages::Stages;
 
+pub(crate) use dense::solve;
+pub(crate) use general::least_change;
+pub(crate) use null_space::least_squares;
+
 /// The initial system and its constraints at one (t, x, v): n velocities, m rows.
 ///
 /// ```
@@ -112,6 +116,6 @@ fn dynamic_vector<T: Scalar, V: Vector<T>>(v: &V) -> DVector<T> {
     DVector::from_vec(Vec::from(array.as_ref()))
 }
 
-fn dynamic_matrix<T: Scalar, A: Matrix<T>>(matrix: &A) -> DMatrix<T> {
+pub(crate) fn dynamic_matrix<T: Scalar, A: Matrix<T>>(matrix: &A) -> DMatrix<T> {
     DMatrix::from_fn(A::ROWS, A::COLUMNS, |i, j| matrix.entry(i, j))
 }

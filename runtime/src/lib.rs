@@ -4,7 +4,8 @@
 //! minimal equations of motion `M_d u̇ = h_u*`, the constraints, the multipliers and the energies. This crate runs them:
 //!
 //! * [`ConstrainedSystem::prepare`] checks the parameters and gives a [`Prepared`] model, on which all methods live;
-//! * [`Prepared::assemble`] closes the position constraints from a guess;
+//! * [`Prepared::assemble`] closes the constraints from a guess, with whatever else is asked for;
+//! * [`Prepared::project_positions`] and [`Prepared::project_velocities`] take x and v back onto the constraints;
 //! * [`Prepared::simulate`] integrates, watches the guards, and stays on the constraint manifold;
 //! * [`forms`] has the unreduced forms of the equations, for oracles and for study.
 //!
@@ -63,6 +64,8 @@ mod matrix;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod prepared;
 #[cfg(any(feature = "std", feature = "libm"))]
+mod projection;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod scalar;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod simulate;
@@ -72,13 +75,15 @@ mod system;
 mod vector;
 
 #[cfg(any(feature = "std", feature = "libm"))]
-pub use assemble::Assembly;
+pub use assemble::{Assembled, Assembly, AssemblyReport, Met};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use error::Error;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use matrix::Matrix;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use prepared::{Prepared, Reactions};
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use projection::{Projected, ProjectedPositions, ProjectedVelocities};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use scalar::{Dual, Scalar};
 #[cfg(any(feature = "std", feature = "libm"))]

@@ -13,7 +13,7 @@ const ROUNDS: usize = 6;
 /// Solves K Z = R by LU with complete pivoting, after scaling rows and columns by powers of two so that units do not matter.
 ///
 /// `name` names K in errors.
-pub(super) fn solve(
+pub(crate) fn solve(
     name: &'static str,
     mut matrix: DMatrix<f64>,
     mut right: DMatrix<f64>,

@@ -14,6 +14,23 @@ use crate::math::double::sqrt;
 /// Dependent rows agree if what remains of C v̇ + c0* is below this fraction of the largest terms, rows scaled to one size.
 const CONSISTENT: f64 = 1e-8;
 
+/// The change δ of velocities with C δ + r = 0 (nearest to it, where rows contradict each other) and δᵀ M δ least.
+///
+/// It is (3.5) without forces: of all z with C z + r = 0 the one without a part in ker C, in the metric M.
+pub(crate) fn least_change(inertia: &DMatrix<f64>, c: &DMatrix<f64>, r: &DVector<f64>) -> Result<DVector<f64>, Error> {
+    let null = NullSpace::new(c, NullSpaceMethod::Svd)?;
+    let any = null.particular(r);
+    let along = definite_on(inertia, &null.complement, &null.complement * (inertia * &any))?;
+    Ok(any - null.complement.tr_mul(&along))
+}
+
+/// M_d⁻¹ r; M_d = D M Dᵀ must be positive definite.
+fn definite_on(inertia: &DMatrix<f64>, d: &DMatrix<f64>, right: DVector<f64>) -> Result<DVector<f64>, Error> {
+    let metric = d * inertia * d.transpose();
+    let magnitudes = d.abs() * inertia.abs() * d.abs().transpose();
+    solve_definite("a pivot of D M Dᵀ, M on ker C,", metric, right, magnitudes.diagonal().as_slice())
+}
+
 impl InitialEquations {
     /// The null space of C. Complete pivoting compares v_j √M_jj, so that it does not depend on units which velocities become
     /// independent.
@@ -115,9 +132,7 @@ impl InitialEquations {
 
     /// M_d⁻¹ r; M_d = D M Dᵀ must be positive definite.
     pub(super) fn tangent_solve(&self, complement: &DMatrix<f64>, right: DVector<f64>) -> Result<DVector<f64>, Error> {
-        let metric = complement * &self.inertia * complement.transpose();
-        let magnitudes = complement.abs() * self.inertia.abs() * complement.abs().transpose();
-        solve_definite("a pivot of D M Dᵀ, M on ker C,", metric, right, magnitudes.diagonal().as_slice())
+        definite_on(&self.inertia, complement, right)
     }
 
     /// Rows that depend on others must say the same: v̇ meets them too.

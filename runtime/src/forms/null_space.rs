@@ -120,6 +120,11 @@ impl NullSpace {
     }
 }
 
+/// The shortest z for which J z comes nearest to r; singular values below `threshold` times the largest count as zero.
+pub(crate) fn least_squares(j: DMatrix<f64>, r: &DVector<f64>, threshold: f64) -> DVector<f64> {
+    jacobi::null_space(j, threshold).inverse * r
+}
+
 /// C with rows whose largest entry is near one, and the powers of two by which they were multiplied.
 pub(super) fn scale_rows(c: &DMatrix<f64>) -> (DMatrix<f64>, Vec<f64>) {
     let scales: Vec<f64> = c.row_iter().map(|row| unit_scale(row.amax())).collect();
