@@ -5,8 +5,10 @@
 mod models;
 mod support;
 
-use holonomy::ConstrainedSystem;
-use models::{AppellHamel, ConstantSpeed, CurvedPath, Prescribed, Pushed, SteadySlope};
+use holonomy::{ConstrainedSystem, Error};
+use models::{
+    AppellHamel, AppellHamelState, ConstantSpeed, ConstantSpeedState, CurvedPath, Prescribed, Pushed, SteadySlope,
+};
 use serde_json::Value;
 use support::golden::{assert_close, list, parse, picked, text};
 use support::running::Running;
@@ -173,4 +175,35 @@ fn a_path_of_given_curvature_follows_the_published_motion() {
     let model = Running::new(CurvedPath { m, g, kappa });
     let read: [&[&str]; 4] = [&["x", "y"], &["xd", "yd"], &["xdd", "ydd"], &["reaction_x", "reaction_y"]];
     published(&model, &list(&golden["cases"])[0], read, 0.01);
+}
+
+#[test]
+fn velocities_are_solved_for_on_the_branch_of_the_guess() {
+    let (m1, m2, g, c) = (1.3, 0.7, G, 1.6);
+    let model = AppellHamel { m1, m2, g, c }.prepare().expect("the parameters are good");
+    for sign in [1.0, -1.0] {
+        let guess = AppellHamelState { dot_x: 1.0, dot_y: -2.0, dot_z: 0.1 * sign, ..Default::default() };
+        let found = model.solve_velocities(0.0, &guess, &["dot_x", "dot_y"]).expect("a branch near the guess");
+        assert_close("z'", &[found.dot_z], &[sign * 5.0_f64.sqrt() / c], AT_A_STATE);
+        assert_close("x', y'", &[found.dot_x, found.dot_y], &[1.0, -2.0], 0.0);
+        // nothing held: the shortest way onto the cone
+        let free = model.solve_velocities(0.0, &guess, &[]).expect("a branch near the guess");
+        assert!(model.velocity_residual_at(0.0, &free)[0].abs() < 1e-14, "{free:?}");
+        assert!(free.dot_z * sign > 0.1 && free.dot_x * guess.dot_x > 0.0, "{free:?}");
+    }
+}
+
+#[test]
+fn velocities_that_cannot_be_met_are_an_error_that_names_the_row() {
+    let model = ConstantSpeed { m: 1.0, g: G, c: 2.0 }.prepare().expect("the parameters are good");
+    let fast = ConstantSpeedState { dot_x: 3.0, dot_y: 1.0, ..Default::default() };
+    let error = model.solve_velocities(0.0, &fast, &["dot_x"]).expect_err("too fast already");
+    let Error::Assembly { constraint, residual, .. } = &error else { panic!("{error}") };
+    assert_eq!(*constraint, "speed");
+    assert!((residual - 2.5).abs() < 1e-6, "{error}");
+    // at rest the row has no direction
+    let rest = model.solve_velocities(0.0, &Default::default(), &[]).expect_err("no direction");
+    assert!(matches!(rest, Error::Assembly { constraint: "speed", residual: -2.0, .. }), "{rest}");
+    let unknown = model.solve_velocities(0.0, &fast, &["x"]).expect_err("no speed");
+    assert_eq!(unknown, Error::UnknownName { name: "x".into(), known: vec!["dot_x", "dot_y"] });
 }

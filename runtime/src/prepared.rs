@@ -2,6 +2,7 @@
 
 mod initial;
 mod reactions;
+mod velocities;
 
 use core::fmt;
 
