@@ -8,6 +8,7 @@ mod support;
 use holonomy::{ConstrainedSystem, Error};
 use models::{
     AppellHamel, AppellHamelState, ConstantSpeed, ConstantSpeedState, CurvedPath, Prescribed, Pushed, SteadySlope,
+    TripleRod, TripleRodState,
 };
 use serde_json::Value;
 use support::golden::{assert_close, list, parse, picked, text};
@@ -206,4 +207,26 @@ fn velocities_that_cannot_be_met_are_an_error_that_names_the_row() {
     assert!(matches!(rest, Error::Assembly { constraint: "speed", residual: -2.0, .. }), "{rest}");
     let unknown = model.solve_velocities(0.0, &fast, &["x"]).expect_err("no speed");
     assert_eq!(unknown, Error::UnknownName { name: "x".into(), known: vec!["dot_x", "dot_y"] });
+}
+
+/// P14: the motion and Cᵀ λ are those of one rod, λ the shortest: 1/6, 1/6 and 2/6 of it (C is doubled in the last row).
+#[test]
+fn p14_rods_stated_thrice() {
+    let (m, l) = (1.5, 0.8);
+    let model = Running::new(TripleRod { m, g: G, l });
+    let (sin, cos) = 0.6_f64.sin_cos();
+    let rate = 0.9;
+    let y = [l * sin, -l * cos, l * rate * cos];
+    let lambda = -(m / (l * l)) * (l * l * rate * rate + G * l * cos);
+    assert_close("λ", &model.multipliers(0.0, &y), &[lambda / 6.0, lambda / 6.0, lambda / 3.0], AT_A_STATE);
+    let reaction = model.reaction(0.0, &y);
+    assert_close("Cᵀ λ", reaction.as_slice(), &[lambda * l * sin, -lambda * l * cos], AT_A_STATE);
+    let swing = -G / l * 0.6_f64.sin();
+    let rates = [l * (swing * cos - rate * rate * sin), l * (swing * sin + rate * rate * cos)];
+    assert_close("v̇", &model.velocity_rates(0.0, &y), &rates, AT_A_STATE);
+    let start = TripleRodState { x: y[0], y: y[1], dot_x: y[2] };
+    let run = model.0.simulate(start).tolerance(1e-10, 1e-10).until(0.4).expect("the rods hold");
+    let (t, end) = run.last();
+    assert!(model.0.position_residual_at(t, end).iter().all(|f| f.abs() < 1e-14));
+    assert!((model.0.energy(t, end) - model.0.energy(0.0, &start)).abs() < 1e-8);
 }

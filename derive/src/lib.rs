@@ -50,6 +50,7 @@ use proc_macro::TokenStream;
 /// | `inertia(diag(..))`, `inertia(matrix([a, b], [_, c]))` | M (2.3); `_` stands for the entry across the diagonal |
 /// | `forces(..)` | h* (2.3): all of it, gyroscopic terms included, one entry a speed |
 /// | `constraint(name: left == right)` | a row; its kind is read off what it mentions: f(x, t), φ(v, x, t), which need not be linear in v, or with `dot(v)`, `ddot(q)` a row that is linear in accelerations; f is left minus right |
+/// | `constraint(name: left == right, redundant)` | the same, where it may depend on other rows: if it does and says nothing else, it stays in C, and the reactions of all rows are those of least norm |
 /// | `configuration(z = 0, x = ..)` | x = g(q, t) (4.2): the named coordinates as functions of the others; `of(alpha)` introduces further q |
 /// | `independent(v6, dot(phi))` | the independent speeds u, in this order; else the cheapest pivots choose |
 /// | `complement(u1 = [..], ..)` | D (3.1) by rows, each with the name of its speed; D Cᵀ ≡ 0 is decided |

@@ -19,7 +19,7 @@ pub type State<M, T = f64> = <M as ConstrainedSystem>::State<T>;
 ///
 /// With n velocities v, m independent rows of constraints and k = n − m. Position rows and velocity rows that are linear in v
 /// leave the speeds u of the state. Nonlinear velocity rows and acceleration rows bind only their rates u̇, of which k are
-/// independent: ν. Without such rows ν = u̇.
+/// independent: ν. Without such rows ν = u̇. C has all rows that carry a multiplier: redundant ones, which depend on others, too.
 ///
 /// | symbol | function | shape | equation |
 /// |---|---|---|---|

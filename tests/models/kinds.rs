@@ -71,6 +71,22 @@ pub struct CurvedPath {
     pub kappa: f64,
 }
 
+/// A pendulum whose rod is stated twice, the second time doubled.
+#[derive(ConstrainedSystem, Clone, Debug)]
+#[coordinates(x, y)]
+#[inertia(diag(m, m))]
+#[forces(0, -m*g)]
+#[potential_energy(m*g*y)]
+#[constraint(rod: (powi(x, 2) + powi(y, 2) - powi(l, 2))/2 == 0)]
+#[constraint(twin: (powi(x, 2) + powi(y, 2) - powi(l, 2))/2 == 0, redundant)]
+#[constraint(double: powi(x, 2) + powi(y, 2) == powi(l, 2), redundant)]
+#[independent(dot(x))]
+pub struct TripleRod {
+    pub m: f64,
+    pub g: f64,
+    pub l: f64,
+}
+
 /// Two particles: one prescribed altogether by a row of each level, one free.
 #[derive(ConstrainedSystem, Clone, Debug)]
 #[coordinates(x, y, z)]

@@ -147,7 +147,8 @@ trait Stated {
 
 impl Stated for Equations {
     fn configuration_is_stated(&self) -> bool {
-        self.constraint_matrix.rows() + self.reduced_speeds.len() == self.speeds.len()
+        let independent = self.rows.iter().filter(|row| !row.redundant).count();
+        independent + self.reduced_speeds.len() == self.speeds.len()
     }
 }
 
@@ -352,6 +353,129 @@ fn an_inertia_that_is_definite_only_on_the_motions() {
         struct MasslessFast { m: f64, k: f64 }
     });
     assert!(e.guards.iter().all(|guard| guard.rows == ["speed"] || guard.rows.is_empty()), "{:?}", e.guards);
+}
+
+/// λ of all rows is the shortest that gives the same reaction: it lies in the range of C.
+#[track_caller]
+fn shortest(e: &Equations) -> Vec<f64> {
+    let at = At::new(e);
+    let (x, v) = (at.value(&e.initial_coordinates), at.value(&e.velocities));
+    let c = at.initial(at.time(), &x, &v).matrix(&e.constraint_matrix);
+    let lambda = at.value(&e.multipliers);
+    assert_eq!(lambda.len(), c.len());
+    // Orthogonal to every z with Cᵀ z = 0: project λ on the rows of Cᵀ one by one (Gram-Schmidt) and nothing is left.
+    let (n, mut rest, mut basis) = (c[0].len(), lambda.clone(), Vec::<Vec<f64>>::new());
+    for j in 0..n {
+        let mut column: Vec<f64> = c.iter().map(|row| row[j]).collect();
+        for b in &basis {
+            let part = dot(&column, b);
+            column.iter_mut().zip(b).for_each(|(a, b)| *a -= part * b);
+        }
+        let norm = dot(&column, &column).sqrt();
+        if norm > 1e-8 {
+            column.iter_mut().for_each(|a| *a /= norm);
+            let part = dot(&rest, &column);
+            rest.iter_mut().zip(&column).for_each(|(a, b)| *a -= part * b);
+            basis.push(column);
+        }
+    }
+    close("λ in the range of C", &rest, &vec![0.0; rest.len()], 1e-9 * lambda.iter().fold(1.0, |s, l| l.abs().max(s)));
+    lambda
+}
+
+#[test]
+fn a_duplicated_rod_carries_half_each() {
+    let e = checked(quote! {
+        #[coordinates(x, y)]
+        #[inertia(diag(m, m))]
+        #[forces(0, -m*g)]
+        #[constraint(rod: (powi(x, 2) + powi(y, 2) - powi(l, 2))/2 == 0)]
+        #[constraint(again: (powi(x, 2) + powi(y, 2) - powi(l, 2))/2 == 0, redundant)]
+        struct P14 { m: f64, g: f64, l: f64 }
+    });
+    let lambda = shortest(&e);
+    close("half each", &lambda[..1], &lambda[1..], 1e-14);
+    assert_eq!((e.rows[0].redundant, e.rows[1].redundant), (false, true));
+    assert_eq!((e.position_residual.len(), e.velocity_residual.len(), e.state_speeds.len()), (2, 2, 1));
+    assert!(
+        e.notes.iter().any(|note| note.contains("`again` depends on the other rows: it is `rod`")),
+        "{:?}",
+        e.notes
+    );
+}
+
+#[test]
+fn redundant_rows_of_every_kind() {
+    let e = checked(quote! {
+        #[coordinates(x, y, z, p)]
+        #[speeds(v1, v2, v3, v4)]
+        #[kinematics(dot(x) = v1 + y*v2, dot(y) = v2*(2 + sin(t)), dot(z) = v3 + t, dot(p) = v4)]
+        #[inertia(matrix([m, b, 0, 0], [_, 2*m, 0, b*x], [_, _, m, 0], [_, _, _, 3*m]))]
+        #[forces(v2, -m*g, v1*v3, x*t)]
+        #[constraint(sum: x*v1 + 2*v2 - v3 == sin(t), redundant)]
+        #[constraint(one: x*v1 + v3 == 0)]
+        #[constraint(two: v2 - v3 == sin(t)/2)]
+        #[constraint(speed: v1*v1 + v4*v4 == c + x)]
+        #[constraint(brake: 2*v1*dot(v1) + 2*v4*dot(v4) == v1 + y*v2, redundant)]
+        #[constraint(extra: p*v3*t == v4*y, redundant)]
+        struct Many { m: f64, b: f64, g: f64, c: f64 }
+    });
+    let redundant: Vec<bool> = e.rows.iter().map(|row| row.redundant).collect();
+    assert_eq!(redundant, [true, false, false, false, true, false]);
+    assert!(
+        e.notes.iter().any(|note| note.contains("`extra` is marked as redundant, but independent")),
+        "{:?}",
+        e.notes
+    );
+    shortest(&e);
+}
+
+#[test]
+fn redundant_rows_behind_a_configuration() {
+    // Both rods are satisfied by the configuration; the rail and its double bind the rates.
+    let e = checked(quote! {
+        #[coordinates(x, y, z)]
+        #[inertia(diag(m, 2*m, m))]
+        #[forces(0, -m*g, -z)]
+        #[configuration(of(alpha), x = l*sin(alpha), y = -l*cos(alpha))]
+        #[constraint(rod: powi(x, 2) + powi(y, 2) == powi(l, 2))]
+        #[constraint(again: (powi(x, 2) + powi(y, 2) - powi(l, 2))*t == 0, redundant)]
+        #[constraint(rail: dot(z) == dot(x)*t)]
+        #[constraint(rails: 3*dot(z) == 3*dot(x)*t, redundant)]
+        struct Railed { m: f64, g: f64, l: f64 }
+    });
+    assert_eq!((e.rows.len(), e.reduced_speeds.len()), (4, 1));
+}
+
+#[test]
+fn redundant_rows_that_say_something_else_are_refused() {
+    let positions = refused(quote! {
+        #[coordinates(x, y)]
+        #[inertia(diag(m, m))]
+        #[forces(0, 0)]
+        #[constraint(rail: y == x)]
+        #[constraint(other: y == x + 1, redundant)]
+        struct Other { m: f64 }
+    });
+    assert!(positions.contains("`other` contradicts the others: its rates are those of `rail`"), "{positions}");
+    let velocities = refused(quote! {
+        #[coordinates(x, y)]
+        #[inertia(diag(m, m))]
+        #[forces(0, 0)]
+        #[constraint(rail: dot(y) == dot(x))]
+        #[constraint(other: dot(y) == dot(x) + t, redundant)]
+        struct Other { m: f64 }
+    });
+    assert!(velocities.contains("`other` is not redundant: it binds what `rail` binds"), "{velocities}");
+    // On the motions, v1 = 0: there the acceleration row says the same.
+    checked(quote! {
+        #[coordinates(x, y)]
+        #[inertia(diag(m, m))]
+        #[forces(x, y)]
+        #[constraint(rail: dot(y) == 0)]
+        #[constraint(damped: ddot(y) + dot(y) == 0, redundant)]
+        struct Damped { m: f64 }
+    });
 }
 
 fn refused(tokens: proc_macro2::TokenStream) -> String {

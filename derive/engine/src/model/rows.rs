@@ -61,7 +61,8 @@ pub(super) fn finish(
             position(expr, constraint, vocabulary, diagnostics)
         };
         if let Some(kind) = kind {
-            rows.push(Row { name: constraint.name.to_string(), span: constraint.name.span(), kind });
+            let (name, span) = (constraint.name.to_string(), constraint.name.span());
+            rows.push(Row { name, span, kind, redundant: constraint.redundant });
         }
     }
     rows

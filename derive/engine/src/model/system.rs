@@ -70,6 +70,8 @@ pub struct Row {
     pub span: Span,
     /// What it binds.
     pub kind: RowKind,
+    /// Whether it may depend on other rows.
+    pub redundant: bool,
 }
 
 /// What a constraint binds.

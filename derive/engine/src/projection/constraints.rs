@@ -12,6 +12,8 @@ pub struct DifferentiatedRow {
     pub name: String,
     /// Where it stands.
     pub span: Span,
+    /// Whether it may depend on other rows.
+    pub redundant: bool,
     /// Whether `velocity` is linear in v.
     pub linear: bool,
     /// f(x, t), for a position row.
@@ -30,14 +32,14 @@ impl DifferentiatedRow {
         self.linear && self.velocity.is_some()
     }
 
-    /// What the row is, for those who use it.
-    pub fn facts(&self) -> RowFacts {
+    /// What the row is, for those who use it; `redundant` if it does depend on other rows.
+    pub fn facts(&self, redundant: bool) -> RowFacts {
         let level = match (self.position, self.velocity) {
             (Some(_), _) => Level::Position,
             (None, Some(_)) => Level::Velocity,
             (None, None) => Level::Acceleration,
         };
-        RowFacts { name: self.name.clone(), level, linear: self.linear, redundant: false }
+        RowFacts { name: self.name.clone(), level, linear: self.linear, redundant }
     }
 }
 
@@ -61,7 +63,7 @@ pub fn differentiate(system: &mut InitialSystem) -> Vec<DifferentiatedRow> {
 }
 
 fn differentiate_row(graph: &mut Graph, row: Row, motion: &[(Symbol, Expr)], speeds: &[Symbol]) -> DifferentiatedRow {
-    let Row { name, span, kind } = row;
+    let Row { name, span, kind, redundant } = row;
     let (linear, position, velocity) = match kind {
         // ḟ = f_x (A v + a0) + f_t; its gradient in v is f_x A, the first line of (2.5).
         RowKind::Position(f) => (true, Some(f), graph.along(&[f], motion)[0]),
@@ -69,10 +71,19 @@ fn differentiate_row(graph: &mut Graph, row: Row, motion: &[(Symbol, Expr)], spe
         // The same two lines hold: C = ∂φ/∂v, c0* = φ_x ẋ + φ_t.
         RowKind::Nonlinear(phi) => (false, None, phi),
         RowKind::Acceleration { gradient, bias } => {
-            return DifferentiatedRow { name, span, linear: true, position: None, velocity: None, gradient, bias };
+            return DifferentiatedRow {
+                name,
+                span,
+                redundant,
+                linear: true,
+                position: None,
+                velocity: None,
+                gradient,
+                bias,
+            };
         }
     };
     let gradient = graph.jacobian(&[velocity], speeds).row(0).to_vec();
     let bias = graph.along(&[velocity], motion)[0];
-    DifferentiatedRow { name, span, linear, position, velocity: Some(velocity), gradient, bias }
+    DifferentiatedRow { name, span, redundant, linear, position, velocity: Some(velocity), gradient, bias }
 }

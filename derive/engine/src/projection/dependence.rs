@@ -18,13 +18,35 @@ pub struct Merged {
     pub combination: Vec<(usize, Expr)>,
 }
 
+/// A row that depends on others and may: C_r = Σ coefficient·row. It stands in C and carries a share of the reaction.
+#[derive(Clone, Debug)]
+pub struct Redundant {
+    /// The row.
+    pub row: usize,
+    /// Its combination, over rows that are kept.
+    pub combination: Vec<(usize, Expr)>,
+    /// What must vanish on the motions for it to say the same as its combination.
+    pub excess: Expr,
+}
+
 /// The rows sorted by what becomes of them, as indices in the order of declaration.
 #[derive(Clone, Debug, Default)]
 pub struct Sorted {
-    /// Independent rows: these make up C.
+    /// Independent rows: these determine the motion.
     pub kept: Vec<usize>,
     /// Position rows that velocity rows repeat.
     pub merged: Vec<Merged>,
+    /// Rows that depend on others, as the model says.
+    pub redundant: Vec<Redundant>,
+}
+
+impl Sorted {
+    /// The rows of C, in the order of declaration.
+    pub fn rows(&self) -> Vec<usize> {
+        let mut all: Vec<usize> = self.kept.iter().copied().chain(self.redundant.iter().map(|row| row.row)).collect();
+        all.sort_unstable();
+        all
+    }
 }
 
 /// The first rows, in the given order, that are independent of those before them: linear algebra modulo a prime.
@@ -80,23 +102,24 @@ pub fn sort(
     errors: &mut Diagnostics,
 ) -> Sorted {
     // Velocity rows first: where a position row repeats them, they are the ones that stay. Rows that bind accelerations
-    // alone come last: what they repeat binds more than they do.
+    // alone come last: what they repeat binds more than they do. Before all of them come the rows that must not depend.
     let mut order: Vec<usize> = (0..rows.len()).collect();
-    order.sort_by_key(|i| (!rows[*i].binds_speeds(), rows[*i].position.is_some()));
+    order.sort_by_key(|i| (rows[*i].redundant, !rows[*i].binds_speeds(), rows[*i].position.is_some()));
     let gradients: Vec<Vec<Expr>> = rows.iter().map(|row| row.gradient.clone()).collect();
     let mut kept = independent(graph, &gradients, &order);
     kept.sort_unstable();
     let dependent: Vec<usize> = (0..rows.len()).filter(|i| !kept.contains(i)).collect();
     if dependent.is_empty() {
-        return Sorted { kept, merged: Vec::new() };
+        return Sorted { kept, ..Sorted::default() };
     }
     let c = Matrix::from_rows(kept.iter().map(|i| gradients[*i].clone()).collect(), columns);
     // Pivots that serve only this question must not become guards of the model.
-    let merged = graph.without_new_assumptions(|graph| relate(graph, simplifier, rows, &kept, &dependent, &c, errors));
-    Sorted { kept, merged }
+    let (merged, redundant) =
+        graph.without_new_assumptions(|graph| relate(graph, simplifier, rows, &kept, &dependent, &c, errors));
+    Sorted { kept, merged, redundant }
 }
 
-/// Each dependent row as a combination of the kept ones: merged, or an error.
+/// Each dependent row as a combination of the kept ones: merged, redundant, or an error.
 fn relate(
     graph: &mut Graph,
     simplifier: &mut dyn Simplifier,
@@ -105,10 +128,10 @@ fn relate(
     dependent: &[usize],
     c: &Matrix,
     errors: &mut Diagnostics,
-) -> Vec<Merged> {
-    let mut merged = Vec::new();
+) -> (Vec<Merged>, Vec<Redundant>) {
+    let (mut merged, mut redundant) = (Vec::new(), Vec::new());
     let choice = Choice { columns: vec![true; c.columns()], new_guards: true };
-    let Ok(elimination) = eliminate(graph, simplifier, c, &choice) else { return merged };
+    let Ok(elimination) = eliminate(graph, simplifier, c, &choice) else { return (merged, redundant) };
     for i in dependent {
         let row = &rows[*i];
         let coefficients = combination(graph, simplifier, &elimination, &row.gradient);
@@ -116,7 +139,11 @@ fn relate(
             kept.iter().copied().zip(coefficients).filter(|(_, c)| !graph.is_zero(*c)).collect();
         let text = text_of(graph, rows, &parts);
         let (excess, of_velocities) = excess(graph, rows, row, &parts);
-        if !graph.vanishes(excess) {
+        if row.redundant && !contradicts_at_rest(graph, rows, row, &parts) {
+            redundant.push(Redundant { row: *i, combination: parts, excess });
+        } else if row.redundant {
+            errors.report(row.span, messages::contradictory_positions(&row.name, &text));
+        } else if !graph.vanishes(excess) {
             let message = if of_velocities {
                 messages::contradictory(&row.name, &text)
             } else {
@@ -130,7 +157,64 @@ fn relate(
             errors.report(row.span, messages::dependent(&row.name, row.position.is_some(), &text));
         }
     }
-    merged
+    (merged, redundant)
+}
+
+/// Whether f of a row and of its combination differ by a number: their rates agree, they cannot both be zero.
+fn contradicts_at_rest(
+    graph: &mut Graph,
+    rows: &[DifferentiatedRow],
+    row: &DifferentiatedRow,
+    parts: &[(usize, Expr)],
+) -> bool {
+    let Some(f) = row.position else { return false };
+    let mut terms = Vec::new();
+    for (j, c) in parts {
+        match rows[*j].position {
+            Some(other) if graph.stage(*c) <= Stage::Parameter => terms.push(graph.mul(*c, other)),
+            _ => return false,
+        }
+    }
+    let total = graph.sum(&terms);
+    let difference = graph.sub(f, total);
+    graph.as_number(difference).is_some_and(|number| !number.is_zero())
+}
+
+/// Redundant rows must say the same as the others on the motions that these leave; `on_motions` puts these in.
+pub fn check_redundant(
+    graph: &mut Graph,
+    simplifier: &mut dyn Simplifier,
+    rows: &[DifferentiatedRow],
+    sorted: &Sorted,
+    on_motions: impl Fn(&mut Graph, Expr) -> Expr,
+    errors: &mut Diagnostics,
+) {
+    for Redundant { row, combination, excess } in &sorted.redundant {
+        let excess = on_motions(graph, *excess);
+        if !graph.vanishes(excess) {
+            let text = text_of(graph, rows, combination);
+            let excess = simplifier.one(graph, excess);
+            let message = messages::redundant_but_different(&rows[*row].name, &text, &graph.display(excess));
+            errors.report(rows[*row].span, message);
+        }
+    }
+}
+
+/// What became of the rows that may depend on others, told to a person.
+pub fn notes(graph: &Graph, rows: &[DifferentiatedRow], sorted: &Sorted) -> Vec<String> {
+    let marked = rows.iter().enumerate().filter(|(_, row)| row.redundant);
+    marked
+        .map(|(i, row)| match sorted.redundant.iter().find(|redundant| redundant.row == i) {
+            Some(redundant) => format!(
+                "`{}` depends on the other rows: it is {}; they share the reaction with the least sum of squares",
+                row.name,
+                text_of(graph, rows, &redundant.combination)
+            ),
+            None => {
+                format!("`{}` is marked as redundant, but independent of the other rows: it is a row as any", row.name)
+            }
+        })
+        .collect()
 }
 
 /// By how much a row differs from the combination of others that has its gradient, and whether that is said of the

@@ -45,6 +45,16 @@ impl Guards {
         }
     }
 
+    /// What some expression divides by, and what depends on more than parameters.
+    pub fn divisors(&mut self, graph: &Graph, roots: &[Expr], origin: &str, rows: &[String]) {
+        for e in graph.reachable(roots) {
+            if let Node::Product(factors) = graph.node(e) {
+                let below = factors.iter().filter(|(base, k)| *k < 0 && graph.stage(*base) > Stage::Parameter);
+                below.for_each(|(base, _)| self.push(graph, *base, GuardKind::Pivot, origin, rows));
+            }
+        }
+    }
+
     fn push(&mut self, graph: &Graph, expr: Expr, kind: GuardKind, origin: &str, rows: &[String]) {
         if kind == GuardKind::Pivot && graph.bounds(expr).exclude_zero() {
             return;

@@ -32,6 +32,21 @@ pub(crate) fn excluded_on_motions(name: &str, excess: &str) -> String {
     )
 }
 
+/// A redundant position row has the rates of others, but other values.
+pub(crate) fn contradictory_positions(name: &str, combination: &str) -> String {
+    format!(
+        "constraint `{name}` contradicts the others: its rates are those of {combination}, but its values never are"
+    )
+}
+
+/// A redundant row does not say what its combination says.
+pub(crate) fn redundant_but_different(name: &str, combination: &str, difference: &str) -> String {
+    format!(
+        "constraint `{name}` is not redundant: it binds what {combination} binds, and to other values unless {difference} \
+         is 0; no motion satisfies both otherwise"
+    )
+}
+
 /// A row repeats others.
 pub(crate) fn dependent(name: &str, position: bool, combination: &str) -> String {
     let what = if position { "the derivative of constraint" } else { "constraint" };

@@ -3,17 +3,17 @@
 use super::acceleration::{self, bound};
 use super::carriers::{Carriers, carriers};
 use super::constraints::differentiate;
-use super::dependence::{Sorted, sort};
+use super::dependence::{self, Sorted, check_redundant, sort};
 use super::dynamics::{reduce, to_state};
 use super::equations::Equations;
 use super::guards::Guards;
 use super::judge::judge;
 use super::motion::solve;
-use super::reactions::{Motion, rates as rates_of, reactions};
+use super::reactions::{Motion, rates as rates_of, reactions, shared};
 use super::tangent::tangent;
 use super::{Simplifier, constraints::DifferentiatedRow, messages};
 use crate::model::InitialSystem;
-use crate::symbolic::{Expr, Matrix, Rational, Stage};
+use crate::symbolic::{Expr, Graph, Matrix, Rational, Stage};
 use crate::syntax::Diagnostics;
 
 /// The origin of a guard that is a pivot of the tangent basis.
@@ -35,6 +35,11 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         return Err(errors);
     };
     judge(&system, &rows, &carriers, &tangent, &mut errors);
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    let on_motions = |graph: &mut Graph, e: Expr| to_state(graph, &carriers, &tangent, &[e])[0];
+    check_redundant(&mut system.graph, simplifier, &rows, &sorted, on_motions, &mut errors);
     if !errors.is_empty() {
         return Err(errors);
     }
@@ -68,8 +73,10 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         guards.positive(&mut system.graph, *pivot, origin, &names).ok();
     }
     errors.result(())?;
-    let multipliers: Vec<Expr> =
-        reactions.multipliers.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
+    let on_motions = |graph: &mut Graph, e: Expr| to_state(graph, &carriers, &tangent, &[e])[0];
+    let (multipliers, weights) = shared(&mut system.graph, simplifier, &sorted, reactions.multipliers, on_motions);
+    guards.divisors(&system.graph, &weights, "the redundant rows have no finite share of it where it vanishes", &names);
+    let multipliers: Vec<Expr> = multipliers.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
     let names = name_multipliers(&mut system, &rows, &sorted, &multipliers);
     let rates: Vec<Expr> = carriers.motion.iter().map(|(_, rate)| *rate).collect();
     let rates = to_state(&mut system.graph, &carriers, &tangent, &rates[..carriers.coordinates.len()]);
@@ -83,11 +90,12 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         rates_of(&mut system.graph, &dynamics.speed_complement, &solution.accelerations, &dynamics.speed_bias);
     let velocity_rates = velocity_rates.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
     let kinetic_energy = kinetic_energy(&mut system);
-    let select = |f: &dyn Fn(&DifferentiatedRow) -> Expr| sorted.kept.iter().map(|i| f(&rows[*i])).collect::<Vec<_>>();
-    let gradients = sorted.kept.iter().map(|i| rows[*i].gradient.clone()).collect();
+    let all = sorted.rows();
+    let gradients = all.iter().map(|i| rows[*i].gradient.clone()).collect();
     let positions: Vec<&DifferentiatedRow> = rows.iter().filter(|row| row.position.is_some()).collect();
     let mut notes: Vec<String> = tangent.note.iter().cloned().collect();
     notes.extend(acceleration::notes(&system.graph, &rows, &sorted.kept, &tangent, &bound));
+    notes.extend(dependence::notes(&system.graph, &rows, &sorted));
     notes.extend(names.notes);
     Ok(Equations {
         time: system.time,
@@ -111,12 +119,12 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         inertia: system.inertia,
         forces: system.forces,
         constraint_matrix: Matrix::from_rows(gradients, n),
-        constraint_bias: select(&|row| row.bias),
+        constraint_bias: all.iter().map(|i| rows[*i].bias).collect(),
         position_residual: positions.iter().filter_map(|row| row.position).collect(),
-        velocity_residual: sorted.kept.iter().filter_map(|i| rows[*i].velocity).collect(),
+        velocity_residual: all.iter().filter_map(|i| rows[*i].velocity).collect(),
         kinetic_energy,
         potential_energy: system.potential,
-        rows: sorted.kept.iter().map(|i| rows[*i].facts()).collect(),
+        rows: all.iter().map(|i| rows[*i].facts(!sorted.kept.contains(i))).collect(),
         position_names: positions.iter().map(|row| row.name.clone()).collect(),
         multiplier_names: names.names,
         multiplier_rows: names.rows,
@@ -176,9 +184,10 @@ fn name_multipliers(
     multipliers: &[Expr],
 ) -> NamedMultipliers {
     let graph = &mut system.graph;
+    let all = sorted.rows();
     let mut named = NamedMultipliers { names: vec![], rows: vec![], multipliers: vec![], notes: vec![] };
     for (i, row) in rows.iter().enumerate() {
-        if let Some(position) = sorted.kept.iter().position(|j| *j == i) {
+        if let Some(position) = all.iter().position(|j| *j == i) {
             named.names.push(row.name.clone());
             named.rows.push(Some(position));
             named.multipliers.push(multipliers[position]);
@@ -187,7 +196,7 @@ fn name_multipliers(
             let mut note = format!("the derivative of `{}` is carried by `{}`", row.name, carriers.join("`, `"));
             if let [(j, s)] = merged.combination.as_slice()
                 && graph.stage(*s) <= Stage::Parameter
-                && let Some(position) = sorted.kept.iter().position(|kept| kept == j)
+                && let Some(position) = all.iter().position(|kept| kept == j)
             {
                 named.names.push(row.name.clone());
                 named.rows.push(None);

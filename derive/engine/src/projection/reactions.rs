@@ -10,6 +10,7 @@ use super::Simplifier;
 use super::acceleration::Bound;
 use super::carriers::Carriers;
 use super::constraints::DifferentiatedRow;
+use super::dependence::Sorted;
 use super::dynamics::{Dynamics, to_state};
 use super::elimination::{Choice, eliminate};
 use super::factorisation::factorise;
@@ -106,6 +107,54 @@ pub fn reactions(
         found.pivots.extend(rest.pivots);
     }
     Some(Reactions { multipliers, pivots: found.pivots })
+}
+
+/// λ of all rows of C, in their order, from those of the independent rows.
+///
+/// Rows C_r = R C_b that depend on others share in the reaction C_bᵀ μ: λ = W (Wᵀ W)⁻¹ μ with W = [1; R] is the one of
+/// least norm, so that λ_r = (1 + R Rᵀ)⁻¹ R μ and λ_b = μ - Rᵀ λ_r. Also gives the entries of R.
+pub fn shared(
+    graph: &mut Graph,
+    simplifier: &mut dyn Simplifier,
+    sorted: &Sorted,
+    independent: Vec<Expr>,
+    on_motions: impl Fn(&mut Graph, Expr) -> Expr,
+) -> (Vec<Expr>, Vec<Expr>) {
+    if sorted.redundant.is_empty() {
+        return (independent, Vec::new());
+    }
+    let (m, zero) = (independent.len(), graph.zero());
+    let mut weights = Vec::with_capacity(sorted.redundant.len());
+    for redundant in &sorted.redundant {
+        let mut row = vec![zero; m];
+        for (j, coefficient) in &redundant.combination {
+            if let Some(position) = sorted.kept.iter().position(|kept| kept == j) {
+                let coefficient = on_motions(graph, *coefficient);
+                row[position] = simplifier.one(graph, coefficient);
+            }
+        }
+        weights.push(row);
+    }
+    let weights = Matrix::from_rows(weights, m);
+    let transposed = weights.transpose();
+    let mut normal = weights.mul(graph, &transposed);
+    for i in 0..normal.rows() {
+        let (one, entry) = (graph.one(), normal.get(i, i));
+        let entry = graph.add(entry, one);
+        normal.set(i, i, entry);
+    }
+    let normal = normal.map(|entries| entries.iter().map(|e| simplifier.one(graph, *e)).collect());
+    let right = weights.mul_vec(graph, &independent);
+    // 1 + R Rᵀ is never singular, so that its pivots need no guards.
+    let factors = factorise(graph, simplifier, &normal);
+    let found = factors.map_or(right.clone(), |factors| factors.solve(graph, simplifier, &right));
+    let taken = transposed.mul_vec(graph, &found);
+    let rest: Vec<Expr> = independent.iter().zip(taken).map(|(mu, part)| graph.sub(*mu, part)).collect();
+    let of_row = |i: &usize| {
+        let kept = sorted.kept.iter().position(|j| j == i).map(|position| rest[position]);
+        kept.or_else(|| sorted.redundant.iter().position(|r| r.row == *i).map(|position| found[position]))
+    };
+    (sorted.rows().iter().filter_map(of_row).collect(), weights.entries().to_vec())
 }
 
 /// λ of the rows that bind u̇ alone, from M_w u̇ - h_w = C̃ᵀ λ, at the pivots of C̃.

@@ -110,7 +110,7 @@ fn disk() -> Disk {
 
 impl Disk {
     fn row(&mut self, name: &str, kind: RowKind) {
-        self.system.rows.push(Row { name: name.into(), span: Span::call_site(), kind });
+        self.system.rows.push(Row { name: name.into(), span: Span::call_site(), kind, redundant: false });
     }
 
     /// (6.5)

@@ -204,7 +204,7 @@ pub enum InertiaEntry {
     Symmetric(Span),
 }
 
-/// `#[constraint(name: left == right)]`
+/// `#[constraint(name: left == right)]`, or with `, redundant` behind it.
 #[derive(Clone, Debug)]
 pub struct Constraint {
     /// The constraint's name: the name of its multiplier and of its reaction.
@@ -213,6 +213,8 @@ pub struct Constraint {
     pub left: Expression,
     /// The right side.
     pub right: Expression,
+    /// Whether the model says that it may depend on other constraints.
+    pub redundant: bool,
 }
 
 /// `#[configuration(of(alpha), x = .., z = 0)]`

@@ -126,10 +126,7 @@ fn read(statement: &Statement, model: &mut Declarations, diagnostics: &mut Diagn
             [_, second, ..] => diagnostics.report(second.place(), messages::one_expression()),
             [] => {}
         },
-        "constraint" => {
-            let read = entries.iter().filter_map(|entry| constraint(entry, diagnostics));
-            model.constraints.extend(read);
-        }
+        "constraint" => model.constraints.extend(constraints(&entries, diagnostics)),
         "define" => model.defines.extend(assignments(&entries, "mu = expression", diagnostics)),
         "start" => model.start.extend(assignments(&entries, "theta = 0.3", diagnostics)),
         "configuration" => model.configuration = Some(configuration(&entries, span, diagnostics)),
@@ -216,6 +213,30 @@ fn inertia_row(row: &Entry, diagnostics: &mut Diagnostics) -> Option<InertiaRow>
     Some(InertiaRow { entries, span })
 }
 
+/// `name: left == right`, each perhaps with `redundant` behind it
+fn constraints(entries: &[Entry], diagnostics: &mut Diagnostics) -> Vec<Constraint> {
+    let mut read: Vec<Constraint> = Vec::new();
+    // Whether the entry before was a constraint, if only an unreadable one.
+    let mut follows = false;
+    for entry in entries {
+        match entry.tokens.as_slice() {
+            [TokenTree::Ident(mark)] if mark == "redundant" => {
+                if !follows {
+                    diagnostics.report(mark, messages::redundant_alone());
+                } else if let Some(constraint) = read.last_mut() {
+                    constraint.redundant = true;
+                }
+                follows = false;
+            }
+            _ => {
+                read.extend(constraint(entry, diagnostics));
+                follows = true;
+            }
+        }
+    }
+    read
+}
+
 /// `name: left == right`
 fn constraint(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<Constraint> {
     let (name, colon, equation) = match entry.tokens.as_slice() {
@@ -229,7 +250,7 @@ fn constraint(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<Constraint
         [at] => {
             let left = Expression::read(&equation[..*at], colon, diagnostics);
             let right = Expression::read(&equation[at + 2..], equation[at + 1].span(), diagnostics);
-            Some(Constraint { name: name?, left, right })
+            Some(Constraint { name: name?, left, right, redundant: false })
         }
         [] => {
             match single_equals(equation) {

@@ -78,6 +78,8 @@ messages! {
         "expected a row in brackets: `[a, b, ..]`, with `_` for an entry that follows by symmetry";
     constraint_form() =
         "expected `name: left == right`; the name is that of the constraint's reaction";
+    redundant_alone() =
+        "`redundant` stands behind the constraint of which it is said: `name: left == right, redundant`";
     equation_expected() =
         "a constraint is an equation: expected `left == right`";
     single_equals() =
