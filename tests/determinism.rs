@@ -4,15 +4,18 @@ mod random;
 mod support;
 
 use quote::ToTokens;
-use random::generate;
+use random::first;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
 /// Files with models, all of which go through the derive.
-const SOURCES: [&str; 5] = [
+const SOURCES: [&str; 8] = [
     include_str!("../examples/rolling_disk/models.rs"),
     include_str!("models/blades.rs"),
+    include_str!("models/bodies.rs"),
+    include_str!("models/kinds.rs"),
+    include_str!("models/linkages.rs"),
     include_str!("models/particles.rs"),
     include_str!("models/rolling_disc.rs"),
     include_str!("models/rolling_disk.rs"),
@@ -24,7 +27,7 @@ const WRITE_TO: &str = "HOLONOMY_EXPANSIONS";
 
 /// The structs with statements of all sources, as the derive gets them.
 fn models() -> Vec<syn::ItemStruct> {
-    let generated = (0..RANDOM).map(|number| generate(7, number).source);
+    let generated = first(RANDOM, 7).into_iter().map(|model| model.source);
     let sources = SOURCES.iter().map(ToString::to_string).chain(generated);
     let items = sources.flat_map(|source| syn::parse_file(&source).expect("the models are Rust").items);
     let structs = items.filter_map(|item| match item {

@@ -2,13 +2,12 @@
 
 mod claims;
 mod oracle;
-mod random;
 mod support;
 
 use claims::compiled::{claim, other_claim};
+use claims::states::random_state;
 use holonomy::ConstrainedSystem;
-use oracle::{System, check, closed, read_models};
-use random::{counted, generate};
+use oracle::{System, check, read_models};
 use support::splitmix::SplitMix;
 
 /// The models themselves, one struct each.
@@ -32,10 +31,8 @@ fn agrees<M: ConstrainedSystem>(build: impl Fn(&[f64]) -> M) -> Result<f64, Stri
     let mut worst = 0.0_f64;
     for _ in 0..STATES {
         system.inputs = random.vector(declared.inputs.len(), -1.0, 1.0);
-        let t = random.between(0.0, 2.0);
-        let q = (0..20).find_map(|_| closed(&system, t, &random.vector(declared.state_coordinates().len(), -1.0, 1.0)));
-        let q = q.expect("the manifold is reached");
-        let u = random.vector(M::MODEL.state_speeds.len(), -1.0, 1.0);
+        let state = (0..20).find_map(|_| random_state(&model, &system, &mut random, [-1.0, 1.0]));
+        let (t, q, u) = state.expect("the manifold is reached");
         for claim in [claim(&model, t, &q, &u, &system.inputs), other_claim(&model, t, &q, &u, &system.inputs)] {
             let report = check(&system, &claim);
             if !report.failures.is_empty() {
@@ -59,7 +56,6 @@ macro_rules! check_all {
 
 #[test]
 fn compiled_random_models_agree_with_the_oracle() {
-    println!("{}", counted(&(0..MODELS).map(|number| generate(23, number)).collect::<Vec<_>>()));
     let results = models::every_random_model!(check_all);
     assert_eq!(results.len(), MODELS);
     let failures: Vec<String> = results.iter().filter_map(|result| result.clone().err()).collect();

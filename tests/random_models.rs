@@ -4,63 +4,66 @@ mod oracle;
 mod random;
 mod support;
 
-use oracle::{System, closed, onto_velocity_rows, read_models};
-use random::{KINDS, RandomModel, counted, crate_text, generate};
+use oracle::{CLASSES, Motion, System, classes, closed, onto_velocity_rows, read_models};
+use random::{KINDS, MODELS, RandomModel, counted, crate_text, first, generate};
 use support::splitmix::SplitMix;
-
-/// How many models go through the engine.
-const MODELS: usize = 500;
 
 fn models() -> Vec<RandomModel> {
     (0..MODELS).map(|number| generate(7, number)).collect()
 }
 
 #[test]
-fn every_class_is_there() {
+fn every_kind_is_there() {
     let models = models();
-    println!("{}", counted(&models));
     let count = |class: &str| models.iter().filter(|m| m.classes.iter().any(|c| c == class)).count();
     for kind in KINDS {
-        assert!(count(&format!("kind: {kind}")) >= 40, "{kind}");
+        assert!(count(&format!("kind: {kind}")) >= 100, "{kind}");
     }
     for n in 1..=6 {
-        assert!(count(&format!("n = {n}")) >= 40, "n = {n}");
+        assert!(count(&format!("n = {n}")) >= 200, "n = {n}");
     }
 }
 
-/// Every model can be read, its manifold reached and its motion solved, and the conditions are moderate.
+/// A state of the model on its manifold, with the motion there.
+fn state(system: &System<'_>, random: &mut SplitMix) -> Option<(f64, Vec<f64>, Vec<f64>, Motion)> {
+    let t = random.between(0.0, 2.0);
+    let q = closed(system, t, &random.vector(system.model.state_coordinates().len(), -1.0, 1.0))?;
+    let rates = random.vector(q.len(), -1.0, 1.0);
+    let (x, v) = (system.coordinates(t, &q), system.velocities_of(t, &q, &rates));
+    if system.model.configuration.is_some() {
+        let motion = system.configured_motion(t, &q, &rates);
+        return Some((t, x, v, motion));
+    }
+    let v = onto_velocity_rows(system, t, &x, &v)?;
+    let motion = system.motion(t, &x, &v);
+    Some((t, x, v, motion))
+}
+
+/// Every model can be read, its manifold reached and its motion solved, and the conditions are moderate; every class is there.
 #[test]
 fn every_model_has_a_motion() {
     let mut random = SplitMix::new(11);
-    let mut worst = 0.0_f64;
+    let (mut worst, mut found) = (0.0_f64, Vec::new());
     for model in models() {
         let declared = read_models(&model.source);
         let system = System::nominal(&declared[0]);
-        let (t, q) = (0..20)
-            .find_map(|_| {
-                let t = random.between(0.0, 2.0);
-                let guess = random.vector(declared[0].state_coordinates().len(), -1.0, 1.0);
-                closed(&system, t, &guess).map(|q| (t, q))
-            })
-            .unwrap_or_else(|| panic!("{} cannot be closed\n{}", model.name, model.source));
-        let rates = random.vector(q.len(), -1.0, 1.0);
-        let motion = if declared[0].configuration.is_some() {
-            system.configured_motion(t, &q, &rates)
-        } else {
-            let v = system.velocities_of(t, &q, &rates);
-            system.motion(t, &q, &onto_velocity_rows(&system, t, &q, &v))
-        };
+        let reached = (0..20).find_map(|_| state(&system, &mut random));
+        let Some((t, x, v, motion)) = reached else { panic!("{} cannot be closed\n{}", model.name, model.source) };
         assert!(motion.acceleration.iter().all(|a| a.is_finite()), "{}\n{}", model.name, model.source);
         worst = worst.max(motion.condition);
+        found.extend(classes(&system, t, &x, &v, motion.freedom));
     }
-    println!("largest condition of (2.8): {worst:.1e}");
+    println!("largest condition of (2.8): {worst:.1e}\n{}", counted(found.iter().copied()));
     assert!(worst < 1e6);
+    for class in CLASSES {
+        assert!(found.iter().filter(|c| **c == class).count() >= 100, "fewer than 100 of {class}");
+    }
 }
 
 /// The models that tests/random_compiled.rs derives; `HOLONOMY_BLESS=1` writes the file anew.
 #[test]
 fn the_committed_models_are_the_generated_ones() {
-    let text = crate_text(&(0..50).map(|number| generate(23, number)).collect::<Vec<_>>());
+    let text = crate_text(&first(50, 23));
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/random_models.rs");
     if std::env::var_os("HOLONOMY_BLESS").is_some() {
         std::fs::write(path, &text).expect("the file is written");

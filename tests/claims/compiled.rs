@@ -31,6 +31,7 @@ pub fn claim<M: ConstrainedSystem>(model: &Prepared<M>, t: f64, q: &[f64], u: &[
         coordinate_rates: rate[..q.len()].to_vec(),
         accelerations: rate[q.len()..].to_vec(),
         velocity_rates: along.iter().map(|v| v.derivative).collect(),
+        given_rates: entries(&model.velocity_rates(t, &s, &i)),
         mass_matrix: dense(&model.mass_matrix(t, &s)),
         forcing: entries(&model.forcing(t, &s, &i)),
         complement: dense(&model.complement(t, &s)),
@@ -41,7 +42,11 @@ pub fn claim<M: ConstrainedSystem>(model: &Prepared<M>, t: f64, q: &[f64], u: &[
         row_names: M::MODEL.rows.iter().map(|row| row.name.to_string()).collect(),
         constraint_matrix: dense(&model.constraint_matrix(t, &x, &v)),
         constraint_bias: entries(&model.constraint_bias(t, &x, &v)),
-        velocity_residual: entries(&model.velocity_residual(t, &x, &v)),
+        velocity_residual: M::MODEL
+            .velocity_rows()
+            .map(|row| row.name.to_string())
+            .zip(entries(&model.velocity_residual(t, &x, &v)))
+            .collect(),
         position_residual: names(M::MODEL.position_rows)
             .into_iter()
             .zip(entries(&model.position_residual(t, &x)))

@@ -106,6 +106,11 @@ impl Evaluated<'_> {
         e.graph.evaluate_in(expressions, &mut algebra)
     }
 
+    /// v of the state (q, u).
+    pub fn velocities(&self, t: f64, q: &[f64], u: &[f64]) -> Vec<f64> {
+        self.of_state(&self.equations.velocities, t, q, u)
+    }
+
     /// Everything that the equations say about the state (q, u).
     pub fn claim(&self, t: f64, q: &[f64], u: &[f64]) -> Claim {
         let e = self.equations;
@@ -135,6 +140,7 @@ impl Evaluated<'_> {
             coordinate_rates: rates,
             accelerations,
             velocity_rates: along.iter().map(|v| v.rate).collect(),
+            given_rates: state(&e.velocity_rates),
             mass_matrix: matrix(&e.mass_matrix, state(e.mass_matrix.entries())),
             forcing: state(&e.forcing),
             complement: matrix(&e.complement, state(e.complement.entries())),
@@ -143,7 +149,7 @@ impl Evaluated<'_> {
             row_names: e.row_names(),
             constraint_matrix: matrix(&e.constraint_matrix, initial(e.constraint_matrix.entries())),
             constraint_bias: initial(&e.constraint_bias),
-            velocity_residual: initial(&e.velocity_residual),
+            velocity_residual: e.velocity_row_names().into_iter().zip(initial(&e.velocity_residual)).collect(),
             position_residual: e.position_names.iter().cloned().zip(initial(&e.position_residual)).collect(),
             kinematic_matrix: matrix(&e.kinematic_matrix, initial(e.kinematic_matrix.entries())),
             kinematic_bias: initial(&e.kinematic_bias),

@@ -3,3 +3,4 @@
 
 pub mod compiled;
 pub mod evaluated;
+pub mod states;

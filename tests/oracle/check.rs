@@ -9,7 +9,8 @@
 //!   that the full system does not lose. κ is the condition of D, or of the columns of C that the chart eliminates if larger.
 
 use super::claim::Claim;
-use super::kkt::{Motion, UNIT, conditioned_rank};
+use super::condition::{chart_condition, null_space};
+use super::kkt::{Motion, RANK, UNIT, conditioned_rank};
 use super::number::{Number, Scaled};
 use super::report::Report;
 use super::system::{Dynamics, Rows, System};
@@ -34,16 +35,19 @@ pub fn check(system: &System<'_>, claim: &Claim) -> Report {
     state.reduced(&mut report);
     state.accelerations(&mut report);
     state.reactions(&mut report);
+    state.any_complement(&mut report);
+    state.gauss(&mut report);
     report
 }
 
-struct Compared<'a> {
-    system: &'a System<'a>,
-    claim: &'a Claim,
-    motion: Motion,
-    dynamics: Dynamics,
-    rows: Rows,
-    chart: f64,
+/// A claim beside what the oracle says.
+pub(super) struct Compared<'a> {
+    pub(super) system: &'a System<'a>,
+    pub(super) claim: &'a Claim,
+    pub(super) motion: Motion,
+    pub(super) dynamics: Dynamics,
+    pub(super) rows: Rows,
+    pub(super) chart: f64,
 }
 
 impl Compared<'_> {
@@ -75,21 +79,21 @@ impl Compared<'_> {
             report.matrix(&format!("C {name}"), &row, &rows.c.rows(j, 1).into_owned());
             let bias = rows.c0[j];
             report.number(&format!("c0* {name}"), claim.constraint_bias[i], bias.value, UNIT * bias.size);
-            let residual = rows.velocity[j];
-            report.number(
-                &format!("velocity residual {name}"),
-                claim.velocity_residual[i],
-                residual.value,
-                UNIT * residual.size,
-            );
         }
-        let named = |name: &str| claim.position_residual.iter().find(|(n, _)| n == name);
+        let named = |list: &[(String, f64)], name: &str| list.iter().find(|(n, _)| n == name).map(|(_, value)| *value);
         for (name, f) in &rows.position {
-            report.fact(&format!("residual of {name} is given"), named(name).is_some());
-            if let Some((_, claimed)) = named(name) {
-                report.number(&format!("f {name}"), *claimed, f.value, UNIT * f.size);
-            }
+            let claimed = named(&claim.position_residual, name);
+            report.fact(&format!("residual of {name} is given"), claimed.is_some());
+            report.number(&format!("f {name}"), claimed.unwrap_or(f64::NAN), f.value, UNIT * f.size);
         }
+        for (name, residual) in rows.velocity.iter().filter(|(name, _)| claim.row_names.contains(name)) {
+            let claimed = named(&claim.velocity_residual, name);
+            report.fact(&format!("velocity residual of {name} is given"), claimed.is_some());
+            let what = format!("velocity residual {name}");
+            report.number(&what, claimed.unwrap_or(f64::NAN), residual.value, UNIT * residual.size);
+        }
+        let count = claim.velocity_residual.len();
+        report.fact("velocity residuals of other rows", count <= rows.velocity.len());
     }
 
     /// x and v of the state satisfy what was declared, and u is what its name says.
@@ -104,7 +108,9 @@ impl Compared<'_> {
         let size = velocities.iter().fold(0.0_f64, |size, e| size.max(e.size));
         let bound = DVector::from_element(velocities.len(), UNIT * self.chart * size);
         report.bounded("v", &claim.velocities, &velocities.map(|e| e.value), &bound);
-        for (name, residual) in self.rows.names.iter().zip(&self.rows.velocity) {
+        let speeds = self.motion.speeds;
+        report.fact(&format!("{} speeds instead of {speeds}", claim.speeds.len()), claim.speeds.len() == speeds);
+        for (name, residual) in &self.rows.velocity {
             report.number(&format!("{name} at velocity level"), 0.0, residual.value, UNIT * self.chart * residual.size);
         }
         for (name, u) in claim.speed_names.iter().zip(&claim.speeds) {
@@ -122,7 +128,7 @@ impl Compared<'_> {
     fn reduced(&self, report: &mut Report) {
         let (claim, dynamics, rows, motion) = (self.claim, &self.dynamics, &self.rows, &self.motion);
         let d = &claim.complement;
-        let k = claim.speeds.len();
+        let k = d.nrows();
         report.fact(&format!("k = {k} instead of {}", motion.freedom), k == motion.freedom);
         report.fact("D has rank k", conditioned_rank(d).0 == k);
         let unit = UNIT * self.chart;
@@ -134,7 +140,9 @@ impl Compared<'_> {
             report.number(&format!("D Cᵀ [{i}]"), *entry, 0.0, unit * size);
         }
         let a_u = DVector::from_column_slice(&claim.complement_bias);
-        let a_u_size = DVector::from_element(a_u.len(), a_u.amax());
+        // a_u solves C a_u = −c0*, and is known to rounding of all that it solves
+        let solved = (0..c.nrows()).map(|i| rows.c0[i].size / c.row(i).norm().max(f64::MIN_POSITIVE));
+        let a_u_size = DVector::from_element(a_u.len(), solved.fold(a_u.amax(), f64::max));
         let bias_size = &c_size * &a_u_size + rows.c0.map(|e| e.size);
         report.bounded(
             "C a_u",
@@ -150,27 +158,28 @@ impl Compared<'_> {
         }
         let forcing_size = &d_size * (h_size + m_size * &a_u_size) * (unit * self.chart);
         report.bounded("h_u*", &claim.forcing, &(d * (h - m * &a_u)), &forcing_size);
-        let u_dot = DVector::from_column_slice(&claim.accelerations);
+        let u_dot = claim.independent_accelerations();
         let balance = &claim.mass_matrix * &u_dot;
         let balance_size = (claim.mass_matrix.abs() * u_dot.abs()) * (unit * self.chart) + forcing_size;
         report.bounded("M_d u̇", balance.as_slice(), &DVector::from_column_slice(&claim.forcing), &balance_size);
     }
 
     /// What rounding may do to v̇: in solving for it, and in adding Dᵀ u̇ and a_u.
-    fn acceleration_error(&self) -> DVector<f64> {
+    pub(super) fn acceleration_error(&self) -> DVector<f64> {
         let claim = self.claim;
-        let terms = claim.complement.abs().transpose() * DVector::from_column_slice(&claim.accelerations).abs();
+        let terms = claim.complement.abs().transpose() * claim.independent_accelerations().abs();
         let terms = terms + DVector::from_column_slice(&claim.complement_bias).abs();
         &self.motion.acceleration_error * self.chart.powi(2) + terms * (UNIT * self.chart)
     }
 
-    /// v̇ = Dᵀ u̇ + a_u is the solution of (2.8), it is the derivative of v, and C v̇ + c0* = 0.
+    /// v̇ = Dᵀ u̇ + a_u is the solution of (2.8), v̇ along the motion of the state is the same, and C v̇ + c0* = 0.
     fn accelerations(&self, report: &mut Report) {
         let (claim, motion, rows) = (self.claim, &self.motion, &self.rows);
         let error = self.acceleration_error();
         let claimed = claim.acceleration();
         report.bounded("v̇", claimed.as_slice(), &motion.acceleration, &error);
         report.bounded("v̇ along the motion", &claim.velocity_rates, &motion.acceleration, &error);
+        report.bounded("v̇ as given", &claim.given_rates, &motion.acceleration, &error);
         let kept = rows.c.map(|e| e.value) * &claimed + rows.c0.map(|e| e.value);
         let size = rows.c.map(|e| e.size);
         let bound = (&size * claimed.abs() + rows.c0.map(|e| e.size)) * UNIT + &size * &error;
@@ -184,14 +193,16 @@ impl Compared<'_> {
             &motion.reaction_error * self.chart.powi(2) + self.dynamics.m.map(|e| e.size) * self.acceleration_error();
         let total = self.dynamics.m.map(|e| e.value) * claim.acceleration() - self.dynamics.h.map(|e| e.value);
         report.bounded("M v̇ − h*", total.as_slice(), &motion.reaction, &error);
+        // λ follows from the eliminated columns alone, and the others amplify what is wrong there once more
+        let error = error * self.chart;
         let reaction = claim.reaction();
         let partial = self.system.partial_velocities(claim.t, &claim.state_coordinates, &claim.coordinate_rates).0;
         let partial = partial.map(|e| e.value);
         let rows = conditioned_rank(&claim.constraint_matrix).0;
         if rows + motion.freedom == self.system.model.n() {
             report.bounded("Cᵀ λ", reaction.as_slice(), &motion.reaction, &error);
-            let v = DVector::from_column_slice(&claim.velocities);
-            report.number("power of the reactions", v.dot(&reaction), v.dot(&total), v.abs().dot(&error));
+            self.power(report, &error);
+            self.multipliers(report, &error);
         } else {
             // the configuration binds more than the declared rows do: λ is known only as far as it acts on q
             let acting = partial.transpose() * &reaction;
@@ -207,36 +218,31 @@ impl Compared<'_> {
     }
 }
 
+impl Compared<'_> {
+    /// λ is what the reactions leave of it: the one of minimum norm where rows depend on each other.
+    fn multipliers(&self, report: &mut Report, error: &DVector<f64>) {
+        let (rows, multipliers) = self.claim.carried();
+        if rows.is_empty() {
+            return;
+        }
+        // the rank is judged for rows and speeds at their own scales, the norm is that of λ as declared
+        let root = self.dynamics.m.map(|e| e.value).diagonal().map(f64::sqrt);
+        let scaled = DMatrix::from_fn(rows.nrows(), rows.ncols(), |i, j| rows[(i, j)] / root[j]);
+        let inverse = scaled.transpose().pseudo_inverse(RANK * scaled.norm()).expect("a threshold that is positive");
+        // the singular values are not known to the last digit; refinement stays in the space of the least norm
+        let reaction = self.motion.reaction.component_div(&root);
+        let refined = |lambda: DVector<f64>| &lambda + &inverse * (&reaction - scaled.transpose() * &lambda);
+        let expected = refined(refined(&inverse * &reaction));
+        let bound = inverse.abs() * error.component_div(&root);
+        // C is known to rounding of its terms, and so is the inverse
+        let size = DMatrix::from_fn(self.rows.c.nrows(), root.len(), |i, j| self.rows.c[(i, j)].size / root[j]);
+        let gain = UNIT * self.chart * size.norm() * inverse.norm();
+        let bound = bound.map(|e| e + gain * expected.norm());
+        report.bounded("λ", multipliers.as_slice(), &expected, &bound);
+    }
+}
+
 /// Every entry replaced by the largest of its row.
 fn row_sizes(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, _| matrix.row(i).amax())
-}
-
-/// How much a chart amplifies rounding.
-fn chart_condition(system: &System<'_>, claim: &Claim, dynamics: &Dynamics, rows: &Rows) -> f64 {
-    let root = dynamics.m.map(|e| e.value).diagonal().map(f64::sqrt);
-    let unit_rows = |m: DMatrix<f64>| {
-        let norms: Vec<f64> = m.row_iter().map(|row| row.norm()).collect();
-        DMatrix::from_fn(m.nrows(), m.ncols(), |i, j| m[(i, j)] / norms[i].max(f64::MIN_POSITIVE))
-    };
-    let d = DMatrix::from_fn(claim.complement.nrows(), root.len(), |i, j| claim.complement[(i, j)] * root[j]);
-    let of_d = conditioned_rank(&unit_rows(d)).1;
-    let dependent: Vec<usize> =
-        (0..root.len()).filter(|&j| !claim.speed_names.contains(&system.model.speeds[j])).collect();
-    if system.model.configuration.is_some() || dependent.len() + claim.speeds.len() != root.len() {
-        return of_d;
-    }
-    let c = unit_rows(DMatrix::from_fn(rows.names.len(), root.len(), |i, j| rows.c[(i, j)].value / root[j]));
-    of_d.max(conditioned_rank(&c.select_columns(&dependent)).1)
-}
-
-/// A basis of the vectors that a matrix sends to zero.
-fn null_space(matrix: &DMatrix<f64>) -> Vec<DVector<f64>> {
-    let n = matrix.ncols();
-    let square =
-        DMatrix::from_fn(matrix.nrows().max(n), n, |i, j| if i < matrix.nrows() { matrix[(i, j)] } else { 0.0 });
-    let rank = conditioned_rank(matrix).0;
-    let svd = square.svd(false, true);
-    let right = svd.v_t.expect("right singular vectors were asked for");
-    (rank..n).map(|i| right.row(i).transpose()).collect()
 }

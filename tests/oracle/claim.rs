@@ -20,9 +20,9 @@ pub struct Claim {
     pub t: f64,
     /// q with a configuration, else x.
     pub state_coordinates: Vec<f64>,
-    /// The names of the independent speeds.
+    /// The names of the speeds that the state holds.
     pub speed_names: Vec<String>,
-    /// u.
+    /// Their values.
     pub speeds: Vec<f64>,
     /// x (4.2).
     pub coordinates: Vec<f64>,
@@ -30,10 +30,12 @@ pub struct Claim {
     pub velocities: Vec<f64>,
     /// d/dt of the state's coordinates (4.3), (5.7).
     pub coordinate_rates: Vec<f64>,
-    /// u̇.
+    /// The rates of the state's speeds.
     pub accelerations: Vec<f64>,
     /// v̇ as the derivative of `velocities` along the claimed motion.
     pub velocity_rates: Vec<f64>,
+    /// v̇ as it is given.
+    pub given_rates: Vec<f64>,
     /// M_d (4.10).
     pub mass_matrix: DMatrix<f64>,
     /// h_u* (4.10), (5.6).
@@ -50,8 +52,8 @@ pub struct Claim {
     pub constraint_matrix: DMatrix<f64>,
     /// c0*.
     pub constraint_bias: Vec<f64>,
-    /// ḟ or φ, one per row of C.
-    pub velocity_residual: Vec<f64>,
+    /// ḟ or φ by name.
+    pub velocity_residual: Vec<(String, f64)>,
     /// f by name.
     pub position_residual: Vec<(String, f64)>,
     /// A.
@@ -69,21 +71,47 @@ pub struct Claim {
 }
 
 impl Claim {
+    /// The k independent accelerations: u̇, or the solution of M_d ν = h_u* where the state holds more speeds than k.
+    ///
+    /// # Panics
+    /// If M_d is singular at this state.
+    pub fn independent_accelerations(&self) -> DVector<f64> {
+        if self.accelerations.len() == self.complement.nrows() {
+            return DVector::from_column_slice(&self.accelerations);
+        }
+        let forcing = DVector::from_column_slice(&self.forcing);
+        self.mass_matrix.clone().lu().solve(&forcing).expect("M_d is regular")
+    }
+
     /// v̇ = Dᵀ u̇ + a_u.
     pub fn acceleration(&self) -> DVector<f64> {
-        self.complement.transpose() * DVector::from_column_slice(&self.accelerations)
+        self.complement.transpose() * self.independent_accelerations()
             + DVector::from_column_slice(&self.complement_bias)
     }
 
-    /// Cᵀ λ over the rows that carry a multiplier, each row once.
-    pub fn reaction(&self) -> DVector<f64> {
-        let mut reaction = DVector::zeros(self.velocities.len());
+    /// The indices of the rows of C that carry a multiplier, each once, with their multipliers.
+    pub fn carried_rows(&self) -> Vec<(usize, f64)> {
         let mut taken = vec![false; self.row_names.len()];
+        let mut carried = Vec::new();
         for multiplier in &self.multipliers {
             if let Some(row) = multiplier.row.filter(|&row| !std::mem::replace(&mut taken[row], true)) {
-                reaction += self.constraint_matrix.row(row).transpose() * multiplier.value;
+                carried.push((row, multiplier.value));
             }
         }
-        reaction
+        carried
+    }
+
+    /// The rows of C that carry a multiplier, and their multipliers.
+    pub fn carried(&self) -> (DMatrix<f64>, DVector<f64>) {
+        let carried = self.carried_rows();
+        let rows: Vec<usize> = carried.iter().map(|(row, _)| *row).collect();
+        let values = carried.iter().map(|(_, value)| *value);
+        (self.constraint_matrix.select_rows(&rows), DVector::from_iterator(rows.len(), values))
+    }
+
+    /// Cᵀ λ over the rows that carry a multiplier.
+    pub fn reaction(&self) -> DVector<f64> {
+        let (rows, multipliers) = self.carried();
+        rows.transpose() * multipliers
     }
 }

@@ -8,8 +8,10 @@ use syn::Expr;
 pub enum Level {
     /// f(x, t) = 0.
     Position,
-    /// φ(v, x, t) = 0.
+    /// φ(v, x, t) = 0, linear in v or not.
     Velocity,
+    /// C v̇ + c0* = 0 as it is given.
+    Acceleration,
 }
 
 /// One constraint, as left side minus right side.
@@ -23,6 +25,8 @@ pub struct Constraint {
     pub right: Expr,
     /// Read off what the two sides mention.
     pub level: Level,
+    /// The row may depend on the others.
+    pub redundant: bool,
 }
 
 /// x = g(q, t) (4.2).
@@ -51,9 +55,11 @@ pub struct Declaration {
     pub rates: Option<Vec<Expr>>,
     /// v = …, in the order of v (2.2).
     pub speeds_by_rates: Option<Vec<Expr>>,
-    /// Entries of M; `None` where symmetry gives it or where it is zero beside a diagonal.
+    /// Entries of M; `None` where symmetry gives it or where it is zero beside a diagonal. Empty where T is given instead.
     pub inertia: Vec<Vec<Option<Expr>>>,
-    /// h*.
+    /// T.
+    pub kinetic_energy: Option<Expr>,
+    /// h*; with T alone, the forces beside those of inertia and of V.
     pub forces: Vec<Expr>,
     /// V.
     pub potential_energy: Option<Expr>,

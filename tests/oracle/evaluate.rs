@@ -1,15 +1,16 @@
 //! Expressions over any number, by walking them as they were written.
 
 use super::number::Number;
-use super::statements::{number, plain, rate_of};
+use super::statements::{number, plain, rate_of, second_rate_of};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use syn::{BinOp, Expr, UnOp};
+use syn::{BinOp, Block, Expr, Stmt, UnOp};
 
 /// What the names stand for.
 pub struct Scope<'a, N> {
     names: BTreeMap<&'a str, N>,
     rates: BTreeMap<&'a str, N>,
+    second_rates: BTreeMap<&'a str, N>,
     definitions: &'a BTreeMap<String, Expr>,
     known: RefCell<BTreeMap<&'a str, N>>,
 }
@@ -18,7 +19,7 @@ impl<'a, N: Number> Scope<'a, N> {
     /// A scope that knows the definitions only.
     pub fn new(definitions: &'a BTreeMap<String, Expr>) -> Self {
         let names = BTreeMap::from([("PI", N::constant(std::f64::consts::PI))]);
-        Self { names, rates: BTreeMap::new(), definitions, known: RefCell::default() }
+        Self { names, rates: BTreeMap::new(), second_rates: BTreeMap::new(), definitions, known: RefCell::default() }
     }
 
     /// Adds names with their values.
@@ -30,6 +31,12 @@ impl<'a, N: Number> Scope<'a, N> {
     /// Adds the values of `dot(name)`.
     pub fn with_rates(mut self, names: impl IntoIterator<Item = &'a str>, values: &[N]) -> Self {
         self.rates.extend(names.into_iter().zip(values.iter().copied()));
+        self
+    }
+
+    /// Adds the values of `ddot(name)`.
+    pub fn with_second_rates(mut self, names: impl IntoIterator<Item = &'a str>, values: &[N]) -> Self {
+        self.second_rates.extend(names.into_iter().zip(values.iter().copied()));
         self
     }
 
@@ -54,14 +61,50 @@ impl<'a, N: Number> Scope<'a, N> {
                 }
             }
             Expr::Path(_) => self.named(&plain(e).expect("a plain name")),
-            Expr::Call(call) => match rate_of(e) {
-                Some(name) => *self.rates.get(name.as_str()).unwrap_or_else(|| panic!("dot({name}) is not in scope")),
-                None => {
+            Expr::If(choice) => match &choice.else_branch {
+                Some((_, otherwise)) if !self.holds(&choice.cond) => self.value(otherwise),
+                Some(_) => self.last(&choice.then_branch),
+                None => panic!("a choice needs both branches"),
+            },
+            Expr::Block(block) => self.last(&block.block),
+            Expr::Call(call) => match (rate_of(e), second_rate_of(e)) {
+                (Some(name), _) => {
+                    *self.rates.get(name.as_str()).unwrap_or_else(|| panic!("dot({name}) is not in scope"))
+                }
+                (_, Some(name)) => {
+                    *self.second_rates.get(name.as_str()).unwrap_or_else(|| panic!("ddot({name}) is not in scope"))
+                }
+                _ => {
                     let arguments: Vec<&Expr> = call.args.iter().collect();
                     self.function(&plain(&call.func).expect("a function's name"), &arguments)
                 }
             },
             _ => panic!("not an expression of a model"),
+        }
+    }
+
+    /// The value of a block that is one expression.
+    fn last(&self, block: &Block) -> N {
+        let [Stmt::Expr(e, None)] = block.stmts.as_slice() else { panic!("not an expression of a model") };
+        self.value(e)
+    }
+
+    fn holds(&self, condition: &Expr) -> bool {
+        match condition {
+            Expr::Paren(inner) => self.holds(&inner.expr),
+            Expr::Binary(b) => {
+                let (left, right) = (|| self.value(&b.left).value(), || self.value(&b.right).value());
+                match b.op {
+                    BinOp::Lt(_) => left() < right(),
+                    BinOp::Le(_) => left() <= right(),
+                    BinOp::Gt(_) => left() > right(),
+                    BinOp::Ge(_) => left() >= right(),
+                    BinOp::And(_) => self.holds(&b.left) && self.holds(&b.right),
+                    BinOp::Or(_) => self.holds(&b.left) || self.holds(&b.right),
+                    _ => panic!("not a condition of a model"),
+                }
+            }
+            _ => panic!("not a condition of a model"),
         }
     }
 
@@ -84,6 +127,19 @@ impl<'a, N: Number> Scope<'a, N> {
                 let (sin, cos) = first.sin_cos();
                 sin / cos
             }
+            "asin" => first.asin(),
+            "acos" => first.acos(),
+            "atan" => first.atan2(N::one()),
+            "sinh" => first.sinh_cosh().0,
+            "cosh" => first.sinh_cosh().1,
+            "tanh" => {
+                let (sinh, cosh) = first.sinh_cosh();
+                sinh / cosh
+            }
+            "asinh" => (first + (first * first + N::one()).sqrt()).ln(),
+            "acosh" => (first + (first * first - N::one()).sqrt()).ln(),
+            "atanh" => N::constant(0.5) * ((N::one() + first) / (N::one() - first)).ln(),
+            "abs" => first.abs(),
             "sqrt" => first.sqrt(),
             "exp" => first.exp(),
             "ln" => first.ln(),

@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 pub const UNIT: f64 = 1e-13;
 
 /// A direction whose singular value is this small beside the largest one is no direction: rows that depend on each other.
-const RANK: f64 = 1e-9;
+pub const RANK: f64 = 1e-9;
 
 /// v̇ and the reactions, with the errors that rounding may make in them.
 pub struct Motion {
@@ -18,8 +18,10 @@ pub struct Motion {
     pub reaction: DVector<f64>,
     /// λ, one per declared row; of minimum norm (rows taken with unit norm) where they depend on each other. Empty with a configuration.
     pub multipliers: DVector<f64>,
-    /// How many of the state's velocities are free.
+    /// k: how many accelerations are free.
     pub freedom: usize,
+    /// How many speeds the state holds: only rows that are linear in v are taken out of it.
+    pub speeds: usize,
     /// Condition of the equilibrated matrix of (2.8).
     pub condition: f64,
     /// Error bound of each v̇.
@@ -105,6 +107,8 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial) -> Motion {
 
     let constraint = matrix.view((n + p, 0), (m + links, n + p)).into_owned();
     let (rank, _) = conditioned_rank(&constraint);
+    let binding: Vec<usize> = (0..m + links).filter(|&i| i >= m || rows.linear[i]).collect();
+    let (velocity_rank, _) = conditioned_rank(&constraint.select_rows(&binding));
     let (solution, condition) = solve_dense(&matrix, &vector, rank == m + links);
     let error = UNIT * condition * (matrix_size.norm() * solution.norm() + vector_size.norm()) / matrix.norm();
 
@@ -115,6 +119,7 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial) -> Motion {
         reaction: value * &acceleration - force_value,
         multipliers: DVector::from_fn(if links == 0 { m } else { 0 }, |i, _| solution[n + p + i] * row_scale[i]),
         freedom: n + p - rank,
+        speeds: n + p - velocity_rank,
         condition,
         acceleration_error: DVector::from_fn(n, |i, _| error * scale[i]),
         reaction_error: DVector::from_fn(n, |i, _| error / scale[i]),

@@ -43,3 +43,8 @@ pub fn along<N: Number>(point: &[N], rates: &[N]) -> Vec<super::number::Dual<N>>
 pub fn fixed<N: Number>(point: &[N]) -> Vec<super::number::Dual<N>> {
     point.iter().map(|&x| super::number::Dual::fixed(x)).collect()
 }
+
+/// The j-th unit direction at the origin.
+pub fn unit<N: Number>(n: usize, j: usize) -> Vec<super::number::Dual<N>> {
+    seeded(&vec![N::zero(); n], j)
+}

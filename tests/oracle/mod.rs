@@ -13,12 +13,16 @@
 
 mod check;
 mod claim;
+mod classes;
+mod condition;
 mod consistency;
 mod declaration;
 mod evaluate;
 mod kkt;
+mod lagrange;
 mod linear;
 mod number;
+mod principles;
 mod reader;
 mod report;
 mod statements;
@@ -26,7 +30,8 @@ mod system;
 
 pub use check::check;
 pub use claim::{Claim, Multiplier};
-pub use consistency::{closed, onto_velocity_rows};
+pub use classes::{CLASSES, classes};
+pub use consistency::{closed, onto_nonlinear_rows, onto_velocity_rows};
 pub use declaration::{Configuration, Constraint, Declaration, Level};
 pub use kkt::{Motion, conditioned_rank};
 pub use number::{Dual, Number, Scaled};

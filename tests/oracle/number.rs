@@ -30,6 +30,23 @@ pub trait Number:
     fn one() -> Self {
         Self::constant(1.0)
     }
+    /// The absolute value.
+    fn abs(self) -> Self {
+        if self.value() < 0.0 { -self } else { self }
+    }
+    /// The angle between -π/2 and π/2 with this sine.
+    fn asin(self) -> Self {
+        self.atan2((Self::one() - self * self).sqrt())
+    }
+    /// The angle between 0 and π with this cosine.
+    fn acos(self) -> Self {
+        (Self::one() - self * self).sqrt().atan2(self)
+    }
+    /// Hyperbolic sine and cosine, by exponentials.
+    fn sinh_cosh(self) -> (Self, Self) {
+        let (up, down, half) = (self.exp(), (-self).exp(), Self::constant(0.5));
+        (half * (up - down), half * (up + down))
+    }
     /// The n-th power by repeated multiplication; a negative power is a division.
     fn powi(self, n: i32) -> Self {
         let power = (0..n.unsigned_abs()).fold(Self::one(), |product, _| product * self);

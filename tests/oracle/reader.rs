@@ -72,28 +72,43 @@ fn complete(model: &mut Declaration) {
 }
 
 fn level(model: &Declaration, sides: &[&Expr]) -> Level {
-    let mut names = Names::default();
-    sides.iter().for_each(|side| names.visit_expr(side));
-    let mut open: Vec<String> = names.0.iter().cloned().collect();
-    let mut all = names.0;
-    while let Some(name) = open.pop() {
-        let Some(definition) = model.definitions.get(&name) else {
-            continue;
+    let mut open: Vec<&Expr> = sides.to_vec();
+    let (mut names, mut level) = (BTreeSet::new(), Level::Position);
+    while let Some(e) = open.pop() {
+        let mut mentions = Mentions { model, names: BTreeSet::new(), velocities: false, accelerations: false };
+        mentions.visit_expr(e);
+        level = match level {
+            _ if mentions.accelerations => Level::Acceleration,
+            Level::Position if mentions.velocities => Level::Velocity,
+            level => level,
         };
-        let mut more = Names::default();
-        more.visit_expr(definition);
-        open.extend(more.0.iter().filter(|n| all.insert((*n).clone())).cloned().collect::<Vec<_>>());
+        let new = mentions.names.into_iter().filter(|name| names.insert(name.clone()));
+        open.extend(new.collect::<Vec<_>>().iter().filter_map(|name| model.definitions.get(name)));
     }
-    let moving = all.contains("dot") || model.speeds.iter().any(|v| all.contains(v));
-    if moving { Level::Velocity } else { Level::Position }
+    level
 }
 
-/// The names in an expression, called functions included.
-#[derive(Default)]
-struct Names(BTreeSet<String>);
+/// What an expression mentions.
+struct Mentions<'a> {
+    model: &'a Declaration,
+    names: BTreeSet<String>,
+    velocities: bool,
+    accelerations: bool,
+}
 
-impl<'a> Visit<'a> for Names {
+impl<'a> Visit<'a> for Mentions<'_> {
+    fn visit_expr(&mut self, e: &'a Expr) {
+        let speed = |name: &String| self.model.speeds.contains(name);
+        let rate = statements::rate_of(e);
+        if statements::second_rate_of(e).is_some() || rate.as_ref().is_some_and(speed) {
+            self.accelerations = true;
+        } else if rate.is_some() || statements::plain(e).as_ref().is_some_and(speed) {
+            self.velocities = true;
+        }
+        syn::visit::visit_expr(self, e);
+    }
+
     fn visit_ident(&mut self, ident: &'a syn::Ident) {
-        self.0.insert(ident.to_string());
+        self.names.insert(ident.to_string());
     }
 }

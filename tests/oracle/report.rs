@@ -33,6 +33,15 @@ impl Report {
         }
     }
 
+    /// What another comparison has found, added to this.
+    pub fn add(&mut self, other: Self) {
+        self.failures.extend(other.failures);
+        self.compared += other.compared;
+        if other.worst > self.worst {
+            (self.worst, self.worst_in) = (other.worst, other.worst_in);
+        }
+    }
+
     /// Something that is so or not.
     pub fn fact(&mut self, what: &str, holds: bool) {
         if !holds {

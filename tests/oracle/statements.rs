@@ -17,6 +17,7 @@ pub fn read(model: &mut Declaration, name: &str, attribute: &Attribute) -> Resul
         "kinematics" => kinematics(model, list()?)?,
         "inertia" => model.inertia = inertia(&attribute.parse_args()?)?,
         "forces" => model.forces = list()?,
+        "kinetic_energy" => model.kinetic_energy = Some(attribute.parse_args()?),
         "potential_energy" => model.potential_energy = Some(attribute.parse_args()?),
         "constraint" => model.constraints.push(attribute.parse_args_with(constraint)?),
         "configuration" => model.configuration = Some(configuration(list()?)?),
@@ -54,13 +55,23 @@ pub fn number(e: &Expr) -> f64 {
 
 /// `dot(x)` as the name x.
 pub fn rate_of(e: &Expr) -> Option<String> {
+    plain(argument(e, "dot")?)
+}
+
+/// `ddot(x)` or `dot(dot(x))` as the name x.
+pub fn second_rate_of(e: &Expr) -> Option<String> {
+    match argument(e, "ddot") {
+        Some(x) => plain(x),
+        None => rate_of(argument(e, "dot")?),
+    }
+}
+
+/// The first argument of a call of that name.
+fn argument<'a>(e: &'a Expr, function: &str) -> Option<&'a Expr> {
     let Expr::Call(ExprCall { func, args, .. }) = e else {
         return None;
     };
-    if plain(func)? != "dot" {
-        return None;
-    }
-    plain(args.first()?)
+    if plain(func)? == function { args.first() } else { None }
 }
 
 /// A path of one segment.
@@ -146,7 +157,13 @@ fn constraint(input: ParseStream<'_>) -> Result<Constraint> {
         return Err(Error::new_spanned(equation, "not an equation"));
     }
     let (left, right) = (*equation.left, *equation.right);
-    Ok(Constraint { name: name.to_string(), left, right, level: Level::Position })
+    // what follows an equation are words about it
+    let words = match input.parse::<Option<Token![,]>>()? {
+        Some(_) => Punctuated::<Ident, Token![,]>::parse_terminated(input)?.into_iter().collect(),
+        None => Vec::new(),
+    };
+    let redundant = words.iter().any(|word| word == "redundant");
+    Ok(Constraint { name: name.to_string(), left, right, level: Level::Position, redundant })
 }
 
 fn configuration(list: Vec<Expr>) -> Result<Configuration> {

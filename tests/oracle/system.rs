@@ -2,7 +2,7 @@
 
 use super::declaration::{Declaration, Level};
 use super::evaluate::Scope;
-use super::linear::{along, fixed, seeded, solve};
+use super::linear::{along, fixed, seeded, solve, unit};
 use super::number::{Dual, Number, Scaled};
 use nalgebra::{DMatrix, DVector};
 
@@ -37,12 +37,16 @@ pub struct Dynamics {
 pub struct Rows {
     /// Names in the order of declaration.
     pub names: Vec<String>,
+    /// Whether the row binds v linearly: every position row, and a velocity row whose ∂φ/∂v does not depend on v.
+    pub linear: Vec<bool>,
+    /// The level of each row.
+    pub levels: Vec<Level>,
     /// C (2.5), (2.7).
     pub c: DMatrix<Entry>,
     /// c0* (2.6), (2.7).
     pub c0: DVector<Entry>,
-    /// ḟ of a position row, φ of a velocity row.
-    pub velocity: Vec<Entry>,
+    /// ḟ of a position row, φ of a velocity row; acceleration rows have none.
+    pub velocity: Vec<(String, Entry)>,
     /// f of the position rows.
     pub position: Vec<(String, Entry)>,
 }
@@ -56,7 +60,7 @@ impl<'a> System<'a> {
         Self { model, parameters: model.nominal(), inputs: vec![0.0; model.inputs.len()] }
     }
 
-    fn scope<N: Number>(&self, t: N, x: &[N]) -> Scope<'a, N> {
+    pub(super) fn scope<N: Number>(&self, t: N, x: &[N]) -> Scope<'a, N> {
         let lifted = |values: &[f64]| values.iter().map(|&p| N::constant(p)).collect::<Vec<_>>();
         Scope::new(&self.model.definitions)
             .with(["t"], &[t])
@@ -65,11 +69,21 @@ impl<'a> System<'a> {
             .with(self.model.coordinates.iter().map(String::as_str), x)
     }
 
-    fn moving<N: Number>(&self, t: N, x: &[N], v: &[N]) -> Scope<'a, N> {
+    pub(super) fn moving<N: Number>(&self, t: N, x: &[N], v: &[N]) -> Scope<'a, N> {
         let rates = self.rates(t, x, v);
         self.scope(t, x)
             .with(self.model.speeds.iter().map(String::as_str), v)
             .with_rates(self.model.coordinates.iter().map(String::as_str), &rates)
+    }
+
+    /// Everything that an acceleration row may mention; ẍ is the derivative of ẋ = A v + a0 along the motion.
+    fn accelerated<N: Number>(&self, t: N, x: &[N], v: &[N], vdot: &[N]) -> Scope<'a, N> {
+        let rates = self.rates(t, x, v);
+        let along = self.rates(Dual::moving(t, N::one()), &along(x, &rates), &along(v, vdot));
+        let second: Vec<N> = along.iter().map(|rate| rate.rate).collect();
+        self.moving(t, x, v)
+            .with_rates(self.model.speeds.iter().map(String::as_str), vdot)
+            .with_second_rates(self.model.coordinates.iter().map(String::as_str), &second)
     }
 
     /// ẋ from v (2.1).
@@ -158,6 +172,35 @@ impl<'a> System<'a> {
         scope.value(&constraint.left) - scope.value(&constraint.right)
     }
 
+    /// C v̇ + c0* of an acceleration row.
+    fn acceleration<N: Number>(&self, row: usize, t: N, x: &[N], v: &[N], vdot: &[N]) -> N {
+        let constraint = &self.model.constraints[row];
+        let scope = self.accelerated(t, x, v, vdot);
+        scope.value(&constraint.left) - scope.value(&constraint.right)
+    }
+
+    /// A row of C: ∂φ/∂v, ∂ḟ/∂v, or the factors of v̇.
+    fn gradient(&self, row: usize, t: Entry, x: &[Entry], v: &[Entry]) -> Vec<Entry> {
+        let n = v.len();
+        let (t, x) = (Dual::fixed(t), fixed(x));
+        let entry = |j| match self.model.constraints[row].level {
+            Level::Acceleration => self.acceleration(row, t, &x, &fixed(v), &unit(n, j)).rate,
+            _ => self.velocity(row, t, &x, &seeded(v, j)).rate,
+        };
+        (0..n).map(entry).collect()
+    }
+
+    /// Whether a row binds v, and linearly: its gradient is then the same at other velocities.
+    fn linear(&self, row: usize, t: Entry, x: &[Entry], v: &[Entry]) -> bool {
+        if self.model.constraints[row].level == Level::Acceleration {
+            return false;
+        }
+        let other: Vec<Entry> =
+            v.iter().enumerate().map(|(i, v)| Entry::constant(0.37 * (i as f64 + 1.0) - 0.8 * v.value)).collect();
+        let (here, there) = (self.gradient(row, t, x, v), self.gradient(row, t, x, &other));
+        here.iter().zip(&there).all(|(a, b)| (a.value - b.value).abs() <= 1e-10 * a.size.max(b.size))
+    }
+
     /// Dᵀ = ∂v/∂q̇ (4.9) as a matrix n × p, and a_u = v̇ with q̈ = 0.
     pub fn partial_velocities(&self, t: f64, q: &[f64], qdot: &[f64]) -> (DMatrix<Entry>, DVector<Entry>) {
         let (t, q, qdot) = (Entry::constant(t), lift(q), lift_speeds(qdot));
@@ -176,16 +219,24 @@ impl<'a> System<'a> {
         let column = |j| self.rates(Dual::fixed(t), &fixed(&x), &seeded(&still, j));
         let columns: Vec<_> = (0..n).map(column).collect();
         let scope = self.moving(t, &x, &v);
-        let entry = |i: usize, j: usize| self.model.inertia[i][j].as_ref().or(self.model.inertia[j][i].as_ref());
-        let m = DMatrix::from_fn(n, n, |i, j| entry(i, j).map_or(Entry::zero(), |e| scope.value(e)));
-        let pairs = (0..n * n).map(|k| m[(k / n, k % n)] * v[k / n] * v[k % n]);
+        let a = DMatrix::from_fn(n, n, |i, j| columns[j][i].rate);
+        let (m, h, kinetic) = if self.model.inertia.is_empty() {
+            let (m, inertial) = self.lagrange(t, &x, &v, &a);
+            (m, self.forces(&scope, inertial), self.kinetic(t, &x, &v))
+        } else {
+            let entry = |i: usize, j: usize| self.model.inertia[i][j].as_ref().or(self.model.inertia[j][i].as_ref());
+            let m = DMatrix::from_fn(n, n, |i, j| entry(i, j).map_or(Entry::zero(), |e| scope.value(e)));
+            let pairs = (0..n * n).map(|k| m[(k / n, k % n)] * v[k / n] * v[k % n]);
+            let twice = pairs.fold(Entry::zero(), |sum, pair| sum + pair);
+            (m, self.forces(&scope, vec![Entry::zero(); n]), Entry::constant(0.5) * twice)
+        };
         Dynamics {
-            a: DMatrix::from_fn(n, n, |i, j| columns[j][i].rate),
             a0: DVector::from_vec(self.rates(t, &x, &still)),
-            h: DVector::from_iterator(n, self.model.forces.iter().map(|e| scope.value(e))),
-            kinetic: Entry::constant(0.5) * pairs.fold(Entry::zero(), |sum, pair| sum + pair),
             potential: self.model.potential_energy.as_ref().map(|e| scope.value(e)),
+            a,
             m,
+            h,
+            kinetic,
         }
     }
 
@@ -193,17 +244,25 @@ impl<'a> System<'a> {
     pub fn rows(&self, t: f64, x: &[f64], v: &[f64]) -> Rows {
         let (t, x, v) = (Entry::constant(t), lift(x), lift_speeds(v));
         let (n, m) = (v.len(), self.model.constraints.len());
-        let still = fixed(&x);
-        let c = DMatrix::from_fn(m, n, |i, j| self.velocity(i, Dual::fixed(t), &still, &seeded(&v, j)).rate);
+        let gradients: Vec<Vec<Entry>> = (0..m).map(|i| self.gradient(i, t, &x, &v)).collect();
         let carried = along(&x, &self.rates(t, &x, &v));
-        let bias = |i| self.velocity(i, Dual::moving(t, Entry::one()), &carried, &fixed(&v)).rate;
-        let constraints = self.model.constraints.iter().enumerate();
+        let still = vec![Entry::zero(); n];
+        let bias = |i: usize| match self.model.constraints[i].level {
+            Level::Acceleration => self.acceleration(i, t, &x, &v, &still),
+            _ => self.velocity(i, Dual::moving(t, Entry::one()), &carried, &fixed(&v)).rate,
+        };
+        let constraints = || self.model.constraints.iter().enumerate();
         Rows {
             names: self.model.constraints.iter().map(|c| c.name.clone()).collect(),
-            c,
+            linear: (0..m).map(|i| self.linear(i, t, &x, &v)).collect(),
+            levels: constraints().map(|(_, c)| c.level).collect(),
+            c: DMatrix::from_fn(m, n, |i, j| gradients[i][j]),
             c0: DVector::from_fn(m, |i, _| bias(i)),
-            velocity: (0..m).map(|i| self.velocity(i, t, &x, &v)).collect(),
-            position: constraints
+            velocity: constraints()
+                .filter(|(_, c)| c.level != Level::Acceleration)
+                .map(|(i, c)| (c.name.clone(), self.velocity(i, t, &x, &v)))
+                .collect(),
+            position: constraints()
                 .filter(|(_, c)| c.level == Level::Position)
                 .map(|(i, c)| (c.name.clone(), self.position(i, t, &x)))
                 .collect(),
@@ -211,7 +270,7 @@ impl<'a> System<'a> {
     }
 }
 
-fn lift(values: &[f64]) -> Vec<Entry> {
+pub(super) fn lift(values: &[f64]) -> Vec<Entry> {
     values.iter().map(|&x| Entry::constant(x)).collect()
 }
 

@@ -3,7 +3,7 @@
 use super::generate::Builder;
 
 /// A statement of one constraint.
-fn row(name: &str, equation: &str) -> String {
+pub(super) fn row(name: &str, equation: &str) -> String {
     format!("#[constraint({name}: {equation} == 0)]\n")
 }
 
@@ -36,10 +36,11 @@ impl Builder {
                 let positions = self.writer.random.below(n);
                 self.mixture(n - 1, positions.min(n - 1))
             }
-            _ => {
+            11 => {
                 let positions = self.writer.random.below(n + 1);
                 self.mixture(n, positions)
             }
+            _ => self.higher_kinds(),
         }
     }
 
@@ -54,27 +55,27 @@ impl Builder {
     }
 
     /// A position row on the i-th pivot; the other names come from the coordinates that are no pivots, if there are any.
-    fn position(&mut self, i: usize, m: usize) -> super::rows::Closure {
+    pub(super) fn position(&mut self, i: usize, m: usize) -> super::rows::Closure {
         let (pivot, others) = (self.x[self.order[i]].clone(), self.beside(i, m, &self.x.clone()));
-        self.writer.closure(&pivot, &others, self.rheonomic)
+        self.writer.closure(&pivot, &others, self.rheonomic, self.varying)
     }
 
-    fn velocity(&mut self, i: usize, m: usize) -> String {
+    pub(super) fn velocity(&mut self, i: usize, m: usize) -> String {
         let (pivot, others) = (self.v[self.order[i]].clone(), self.beside(i, m, &self.v.clone()));
         let driven = self.writer.random.once_in(3);
         let names = self.names.clone();
-        self.writer.rolling(&pivot, &others, &names, driven)
+        self.writer.rolling(&pivot, &others, &names, driven, self.varying)
     }
 
     /// Names that may stand beside the i-th pivot: all that are no pivots, and the pivots before it.
-    fn beside(&mut self, i: usize, m: usize, names: &[String]) -> Vec<String> {
+    pub(super) fn beside(&mut self, i: usize, m: usize, names: &[String]) -> Vec<String> {
         let mut allowed: Vec<usize> = self.order[m..].iter().chain(&self.order[..i]).copied().collect();
         allowed.truncate(1 + self.writer.random.below(4));
         allowed.iter().map(|&j| names[j].clone()).collect()
     }
 
     /// The independent speeds in some order, or nothing: then the engine chooses.
-    fn independent(&mut self, m: usize) -> String {
+    pub(super) fn independent(&mut self, m: usize) -> String {
         if m == self.n || self.writer.random.once_in(2) {
             return String::new();
         }
@@ -112,7 +113,7 @@ impl Builder {
     }
 
     /// Some coordinates as functions of the others and of time; each may also be declared as a row, for its reaction.
-    fn configuration_by_names(&mut self, then_rows: bool) -> String {
+    pub(super) fn configuration_by_names(&mut self, then_rows: bool) -> String {
         let given = 1 + self.writer.random.below((self.n - 1).min(2));
         let free: Vec<String> = self.order[given..].iter().map(|&j| self.x[j].clone()).collect();
         let mut names = free.clone();
@@ -136,7 +137,7 @@ impl Builder {
             self.classes.push("rows on top of a configuration".to_string());
             let rates: Vec<String> = free.iter().map(|x| format!("dot({x})")).collect();
             let driven = self.writer.random.once_in(3);
-            let equation = self.writer.rolling(&rates[0], &rates[1..], &free, driven);
+            let equation = self.writer.rolling(&rates[0], &rates[1..], &free, driven, false);
             rows += &row("rolling", &equation);
             if self.writer.random.once_in(2) {
                 rows += &format!("#[independent({})]\n", rates[1..].join(", "));

@@ -3,10 +3,9 @@
 use super::expression::Writer;
 use super::statements::Direction;
 use crate::support::splitmix::SplitMix;
-use std::collections::BTreeSet;
 
 /// The kinds of constraint systems, in turn.
-pub const KINDS: [&str; 12] = [
+pub const KINDS: [&str; 20] = [
     "free (k = n)",
     "velocity rows",
     "position rows",
@@ -19,6 +18,14 @@ pub const KINDS: [&str; 12] = [
     "complement given",
     "one speed (m = n - 1)",
     "prescribed (k = 0)",
+    "nonlinear velocity rows",
+    "acceleration rows",
+    "position and nonlinear velocity rows",
+    "linear and acceleration rows",
+    "rows of every kind",
+    "redundant rows",
+    "no constant pivot",
+    "configuration, then nonlinear and acceleration rows",
 ];
 
 /// A model as text, with what it is a case of.
@@ -41,7 +48,11 @@ pub fn generate(seed: u64, number: usize) -> RandomModel {
     let parameters: Vec<String> = (1..=1 + random.below(3)).map(|i| format!("p{i}")).collect();
     let values: Vec<String> = parameters.iter().map(|_| format!("{:.2}", random.between(0.5, 1.5))).collect();
     let kind = number % KINDS.len();
-    let least = if matches!(kind, 5 | 6 | 8) { 2 } else { 1 };
+    let least = match kind {
+        5 | 6 | 8 | 14 | 15 | 17 => 2,
+        16 | 19 => 3,
+        _ => 1,
+    };
     let n = ((number / KINDS.len() + random.below(2)) % 6 + 1).max(least);
     let mut model = Builder::new(Writer { random, parameters: parameters.clone() }, n, kind);
     let statements = model.statements();
@@ -49,15 +60,7 @@ pub fn generate(seed: u64, number: usize) -> RandomModel {
     let field = |(p, value): (&String, &String)| format!("    #[nominal({value})]\n    pub {p}: f64,\n");
     let fields: String = parameters.iter().zip(&values).map(field).collect();
     let source = format!("#[derive(ConstrainedSystem, Clone, Debug)]\n{statements}pub struct {name} {{\n{fields}}}\n");
-    model.classes.extend(time_in(&source));
     RandomModel { name, source, parameters, classes: model.classes }
-}
-
-/// The statements that mention t.
-fn time_in(source: &str) -> BTreeSet<String> {
-    let mentions = |text: &str| text.split(|c: char| !c.is_alphanumeric()).any(|word| word == "t");
-    let statements = source.split("#[").filter(|statement| mentions(statement));
-    statements.filter_map(|statement| statement.split('(').next()).map(|name| format!("t in {name}")).collect()
 }
 
 /// A model in the making.
@@ -74,6 +77,8 @@ pub struct Builder {
     /// The order in which coordinates and speeds serve as pivots.
     pub order: Vec<usize>,
     pub rheonomic: bool,
+    /// Whether no entry of C may be a constant.
+    pub varying: bool,
     pub classes: Vec<String>,
 }
 
@@ -84,7 +89,7 @@ impl Builder {
         let names = if rheonomic { [x.clone(), vec!["t".to_string()]].concat() } else { x.clone() };
         let order = writer.random.shuffled(n);
         let classes = vec![format!("kind: {}", KINDS[kind]), format!("n = {n}")];
-        Self { writer, n, kind, x, v: Vec::new(), names, order, rheonomic, classes }
+        Self { writer, n, kind, x, v: Vec::new(), names, order, rheonomic, varying: false, classes }
     }
 
     fn class(&mut self, name: &str, holds: bool) -> bool {
@@ -106,7 +111,7 @@ impl Builder {
         });
         let own = direction != Direction::Rates;
         self.v = (1..=self.n).map(|i| if own { format!("v{i}") } else { format!("dot(x{i})") }).collect();
-        let biased = own && direction != Direction::Both && self.writer.random.once_in(3);
+        let biased = own && direction != Direction::Both && !self.writer.random.once_in(3);
         self.class("a0 or b0", biased);
         let dense = self.writer.random.once_in(2);
         let named = dense && self.writer.random.once_in(2);
@@ -126,7 +131,8 @@ impl Builder {
         }
         let (x, names, v) = (self.x.clone(), self.names.clone(), self.v.clone());
         text += &self.writer.kinematics(direction, &x, &names, biased);
-        text += &self.writer.inertia(self.n, &names, dense, named);
+        let energetic = self.writer.random.once_in(5);
+        text += &self.writer.inertia(self.n, &names, dense, named, energetic.then_some(&v));
         text += &self.writer.forces(self.n, &names, &v, &inputs);
         if potential {
             text += &format!("#[potential_energy({})]\n", self.writer.bounded(&x));

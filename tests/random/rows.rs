@@ -12,11 +12,13 @@ pub struct Closure {
 
 impl Writer {
     /// A position row with a dominant pivot: c x_p plus smaller terms in the other names, and in t if asked for.
-    pub fn closure(&mut self, pivot: &str, others: &[String], rheonomic: bool) -> Closure {
+    ///
+    /// A varying row has no constant among its derivatives.
+    pub fn closure(&mut self, pivot: &str, others: &[String], rheonomic: bool, varying: bool) -> Closure {
         let c = self.decimal(1.2, 2.0);
         let (mut f, mut rate) = (format!("{c}*{pivot}"), format!("{c}*dot({pivot})"));
         let add = |text: &mut String, term: String| *text += &format!(" + {term}");
-        if self.random.once_in(2) {
+        if varying || self.random.once_in(2) {
             // the pivot depends on the coordinate
             let b = self.decimal(0.1, 0.3);
             add(&mut f, format!("{b}*sin({pivot})"));
@@ -25,7 +27,7 @@ impl Writer {
         for x in others.iter().take(3) {
             let b = self.decimal(0.1, 0.4);
             let y = self.random.one_of(others).clone();
-            let (term, its_rate) = match self.random.below(5) {
+            let (term, its_rate) = match self.random.below(5).max(usize::from(varying)) {
                 0 => (format!("{b}*{x}"), format!("{b}*dot({x})")),
                 1 => (format!("{b}*sin({x})"), format!("{b}*cos({x})*dot({x})")),
                 2 => (format!("{b}*powi({x}, 2)/2"), format!("{b}*{x}*dot({x})")),
@@ -45,8 +47,10 @@ impl Writer {
     }
 
     /// A velocity row: dominant in the speed of the pivot, small in the others, and with a part without speeds if asked for.
-    pub fn rolling(&mut self, pivot: &str, others: &[String], names: &[String], driven: bool) -> String {
-        let mut text = match self.random.below(3) {
+    ///
+    /// A varying row has no constant factor.
+    pub fn rolling(&mut self, pivot: &str, others: &[String], names: &[String], driven: bool, varying: bool) -> String {
+        let mut text = match self.random.below(3).max(2 * usize::from(varying)) {
             0 => pivot.to_string(),
             1 => format!("{}*{pivot}", self.decimal(1.0, 2.0)),
             _ => format!("(1.50{}*{})*{pivot}", self.signed(0.1, 0.3), self.bounded(names)),

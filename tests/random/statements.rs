@@ -61,9 +61,22 @@ impl Writer {
     }
 
     /// The statement for M: diagonal, or L Lᵀ with its factors inline or under names of their own.
-    pub fn inertia(&mut self, n: usize, names: &[String], dense: bool, named: bool) -> String {
+    ///
+    /// With speeds, T = vᵀ M v / 2 is stated instead, as a sum of squares.
+    pub fn inertia(
+        &mut self,
+        n: usize,
+        names: &[String],
+        dense: bool,
+        named: bool,
+        speeds: Option<&Vec<String>>,
+    ) -> String {
         if !dense {
             let masses: Vec<String> = (0..n).map(|_| self.positive(names)).collect();
+            if let Some(speeds) = speeds {
+                let terms = masses.iter().zip(speeds).map(|(m, v)| format!("{m}*powi({v}, 2)/2"));
+                return format!("#[kinetic_energy({})]\n", terms.collect::<Vec<_>>().join(" + "));
+            }
             return format!("#[inertia(diag({}))]\n", masses.join(", "));
         }
         let mut definitions = Vec::new();
@@ -89,6 +102,16 @@ impl Writer {
             }
             factor.push(row);
         }
+        let definitions = if named { format!("#[define({})]\n", definitions.join(", ")) } else { String::new() };
+        if let Some(speeds) = speeds {
+            let square = |k: usize| {
+                let terms = (k..n).filter(|&i| !factor[i][k].is_empty());
+                let terms: Vec<String> = terms.map(|i| format!("{}*{}", factor[i][k], speeds[i])).collect();
+                format!("powi({}, 2)/2", terms.join(" + "))
+            };
+            let squares: Vec<String> = (0..n).map(square).collect();
+            return format!("{definitions}#[kinetic_energy({})]\n", squares.join(" + "));
+        }
         let entry = |i: usize, j: usize| {
             let terms = (0..=i.min(j)).filter(|&k| !factor[i][k].is_empty() && !factor[j][k].is_empty());
             let terms: Vec<String> = terms.map(|k| format!("{}*{}", factor[i][k], factor[j][k])).collect();
@@ -99,7 +122,6 @@ impl Writer {
             format!("    [{}],\n", entries.join(", "))
         };
         let rows: String = (0..n).map(row).collect();
-        let definitions = if named { format!("#[define({})]\n", definitions.join(", ")) } else { String::new() };
         format!("{definitions}#[inertia(matrix(\n{rows}))]\n")
     }
 

@@ -1,0 +1,34 @@
+//! Random states of a derived model, on its constraints.
+
+use crate::oracle::{Declaration, System, closed, onto_nonlinear_rows};
+use crate::support::running::entries;
+use crate::support::splitmix::SplitMix;
+use holonomy::{ConstrainedSystem, Prepared, Vector};
+
+/// A point near the start that the model names, or near one of order one.
+fn guess(declared: &Declaration, random: &mut SplitMix, [low, high]: [f64; 2]) -> Vec<f64> {
+    let coordinate = |x: &String| match declared.start.get(x) {
+        Some(start) => start + random.between(-0.1, 0.1),
+        None => random.between(low, high),
+    };
+    declared.state_coordinates().iter().map(coordinate).collect()
+}
+
+/// Time, coordinates and speeds with f = 0 and φ = 0, or `None` if Newton's method does not get there.
+pub fn random_state<M: ConstrainedSystem>(
+    model: &Prepared<M>,
+    system: &System<'_>,
+    random: &mut SplitMix,
+    range: [f64; 2],
+) -> Option<(f64, Vec<f64>, Vec<f64>)> {
+    let t = random.between(0.0, 2.0);
+    let q = closed(system, t, &guess(system.model, random, range))?;
+    let u = random.vector(M::MODEL.state_speeds.len(), -1.0, 1.0);
+    let x = system.coordinates(t, &q);
+    let velocities = |u: &[f64]| {
+        let y: Vec<f64> = q.iter().chain(u).copied().collect();
+        entries(&model.velocities(t, &M::State::<f64>::from_fn(|i| y[i])))
+    };
+    let u = onto_nonlinear_rows(system, t, &x, &u, velocities)?;
+    Some((t, q, u))
+}

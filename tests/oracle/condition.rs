@@ -1,0 +1,58 @@
+//! How much a chart amplifies rounding, and what a matrix sends to zero.
+
+use super::claim::Claim;
+use super::kkt::conditioned_rank;
+use super::system::{Dynamics, Rows, System};
+use nalgebra::{DMatrix, DVector};
+
+/// The condition of D, or of the columns of C that the chart eliminates if larger; speeds at the scale of their inertia.
+///
+/// The eliminated columns are those outside the unit block of D for all rows, and those whose speeds the state does not hold for
+/// the rows that bind v linearly.
+pub fn chart_condition(system: &System<'_>, claim: &Claim, dynamics: &Dynamics, rows: &Rows) -> f64 {
+    let n = system.model.n();
+    let root = dynamics.m.map(|e| e.value).diagonal().map(f64::sqrt);
+    let d = DMatrix::from_fn(claim.complement.nrows(), n, |i, j| claim.complement[(i, j)] * root[j]);
+    let of_d = conditioned_rank(&unit_rows(&d)).1;
+    if system.model.configuration.is_some() {
+        return of_d;
+    }
+    let c = DMatrix::from_fn(rows.names.len(), n, |i, j| rows.c[(i, j)].value / root[j]);
+    let of_columns = |rows: &DMatrix<f64>, free: &dyn Fn(usize) -> bool, count: usize| {
+        let eliminated: Vec<usize> = (0..n).filter(|&j| !free(j)).collect();
+        // without a unit block there is no elimination
+        if eliminated.len() + count == n {
+            conditioned_rank(&unit_rows(rows).select_columns(&eliminated)).1
+        } else {
+            1.0
+        }
+    };
+    let block = unit_columns(&claim.complement);
+    let linear: Vec<usize> = (0..rows.names.len()).filter(|&i| rows.linear[i]).collect();
+    let held = |j: usize| claim.speed_names.contains(&system.model.speeds[j]);
+    let of_all = of_columns(&c, &|j| block.contains(&j), claim.complement.nrows());
+    let of_linear = of_columns(&c.select_rows(&linear), &held, claim.speeds.len());
+    of_d.max(of_all).max(of_linear)
+}
+
+/// The columns that are unit vectors, one for each row that has one.
+fn unit_columns(d: &DMatrix<f64>) -> Vec<usize> {
+    let is_unit = |i: usize, j: usize| (0..d.nrows()).all(|r| d[(r, j)] == f64::from(u8::from(r == i)));
+    (0..d.nrows()).filter_map(|i| (0..d.ncols()).find(|&j| is_unit(i, j))).collect()
+}
+
+fn unit_rows(m: &DMatrix<f64>) -> DMatrix<f64> {
+    let norms: Vec<f64> = m.row_iter().map(|row| row.norm()).collect();
+    DMatrix::from_fn(m.nrows(), m.ncols(), |i, j| m[(i, j)] / norms[i].max(f64::MIN_POSITIVE))
+}
+
+/// A basis of the vectors that a matrix sends to zero.
+pub fn null_space(matrix: &DMatrix<f64>) -> Vec<DVector<f64>> {
+    let n = matrix.ncols();
+    let square =
+        DMatrix::from_fn(matrix.nrows().max(n), n, |i, j| if i < matrix.nrows() { matrix[(i, j)] } else { 0.0 });
+    let rank = conditioned_rank(matrix).0;
+    let svd = square.svd(false, true);
+    let right = svd.v_t.expect("right singular vectors were asked for");
+    (rank..n).map(|i| right.row(i).transpose()).collect()
+}

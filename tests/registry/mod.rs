@@ -1,0 +1,73 @@
+//! Every model of the repository that tests hold against the oracle and against the principles of mechanics, one line each.
+//!
+//! Write a new model's name and fields under its file, and all of that covers it; a model that is not here fails a test. Values of
+//! parameters are the nominal ones, or one.
+
+#[path = "../models/mod.rs"]
+pub mod models;
+
+pub use models::*;
+
+#[path = "../models/bodies.rs"]
+pub mod bodies;
+#[path = "../models/linkages.rs"]
+pub mod linkages;
+
+/// The disk of the example.
+#[path = "../../examples/rolling_disk/models.rs"]
+#[allow(dead_code, missing_docs, reason = "as the example has them")]
+pub mod example_rolling_disk;
+
+/// Calls a macro with all models: file, module, names and fields.
+macro_rules! every_model {
+    ($then:ident) => {
+        $then! {
+            "tests/models/blades.rs" blades:
+                Sleigh(m, i, a)
+                SleighInPlane(m, i, a)
+                KnifeEdge(m, i, g, incline);
+            "tests/models/bodies.rs" bodies:
+                HeavyTop(m, g, j1, j2, j3, l)
+                Flyball(g, k, cd, l0, m_rod, l_rod, w_rod, off, m_ball, m_slider, b_slider)
+                TriplePendulum(m, l, g);
+            "tests/models/kinds.rs" kinds:
+                ConstantSpeed(m, g, c)
+                SteadySlope(m, g, a)
+                AppellHamel(m1, m2, g, c)
+                Pushed(m, g, k)
+                CurvedPath(m, g, kappa)
+                Prescribed(m, g, w);
+            "tests/models/linkages.rs" linkages:
+                CarAxis(eps, m, l, l0, r, w, g)
+                FourBar(l1, l2, l3, d, m1, m2, m3, g, tau)
+                SliderCrank(l, m1, m2, m3, g)
+                Andrews(
+                    m1, m2, m3, m4, m5, m6, m7, i1, i2, i3, i4, i5, i6, i7, xa, ya, xb, yb, xc, yc,
+                    d, da, e, ea, zf, zt, fa, rr, ra, ss, sa, sb, sc, sd, ta, tb, u, ua, ub, c0,
+                    l0, mom
+                );
+            "tests/models/particles.rs" particles:
+                Pendulum(m, l, g)
+                HangingPendulum(m, l, g)
+                PendulumByAngle(m, l, g)
+                BeadOnRod(m, w, g)
+                BeadByDistance(m, w, g)
+                ConicalPendulum(m, r, opening, g)
+                Atwood(m1, m2, c, g)
+                DoublePendulum(m1, m2, l1, l2, g);
+            "tests/models/rolling_disc.rs" rolling_disc:
+                RollingDisc(m, r, g, d, a);
+            "tests/models/rolling_disk.rs" rolling_disk:
+                RollingDisk(m, r, j, g)
+                RollingDiskOnFloor(m, r, j, g)
+                SlidingDisk(m, r, j, g)
+                RollingDiskInStages(m, r, j, g)
+                RollingDiskSecondStage(m, r, j, g);
+            "examples/rolling_disk/models.rs" example_rolling_disk:
+                RollingDisk(m, r, j, g)
+                FloorDisk(m, r, j, g)
+                StagedDisk(m, r, j, g);
+        }
+    };
+}
+pub(crate) use every_model;
