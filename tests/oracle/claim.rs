@@ -80,6 +80,9 @@ impl Claim {
             return DVector::from_column_slice(&self.accelerations);
         }
         let forcing = DVector::from_column_slice(&self.forcing);
+        if forcing.is_empty() {
+            return forcing;
+        }
         self.mass_matrix.clone().lu().solve(&forcing).expect("M_d is regular")
     }
 
