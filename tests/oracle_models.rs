@@ -6,7 +6,7 @@ mod registry;
 mod support;
 
 use claims::compiled::{claim, other_claim};
-use claims::states::random_state;
+use claims::states::{Point, random_state};
 use holonomy::{ConstrainedSystem, Prepared};
 use oracle::{Declaration, Report, System, check, read_models};
 use registry::every_model;
@@ -28,7 +28,7 @@ fn drawn<'a, M: ConstrainedSystem>(
     declared: &'a Declaration,
     build: &impl Fn(&[f64]) -> M,
     random: &mut SplitMix,
-) -> (System<'a>, Prepared<M>, (f64, Vec<f64>, Vec<f64>)) {
+) -> (System<'a>, Prepared<M>, Point) {
     let mut spread = 0.35;
     for _ in 0..40 {
         let nominal = declared.parameters.iter().map(|(_, value)| value.unwrap_or(1.0));

@@ -14,13 +14,16 @@ fn guess(declared: &Declaration, random: &mut SplitMix, [low, high]: [f64; 2]) -
     declared.state_coordinates().iter().map(coordinate).collect()
 }
 
-/// Time, coordinates and speeds with f = 0 and φ = 0, or `None` if Newton's method does not get there.
+/// Time, the state's coordinates and its speeds.
+pub type Point = (f64, Vec<f64>, Vec<f64>);
+
+/// A state with f = 0 and φ = 0, or `None` if Newton's method does not get there.
 pub fn random_state<M: ConstrainedSystem>(
     model: &Prepared<M>,
     system: &System<'_>,
     random: &mut SplitMix,
     range: [f64; 2],
-) -> Option<(f64, Vec<f64>, Vec<f64>)> {
+) -> Option<Point> {
     let t = random.between(0.0, 2.0);
     let q = closed(system, t, &guess(system.model, random, range))?;
     let u = random.vector(M::MODEL.state_speeds.len(), -1.0, 1.0);
