@@ -114,6 +114,14 @@ fn dependent_coordinates_and_velocities_are_held_at_values() {
 }
 
 #[test]
+fn velocities_that_a_chart_does_not_give_are_told_with_its_guard() {
+    // The rod is level: ẋ says nothing about ẏ.
+    let guess = PendulumState { x: 0.5, y: 0.0, dot_x: 0.0 };
+    let error = pendulum().assemble(guess).hold("y").set("dot_y", 1.0).solve().unwrap_err();
+    assert_eq!(error, Error::ChartSingularity { guard: "y", value: 0.0, time: 0.0 });
+}
+
+#[test]
 fn quantities_of_positions_move_coordinates_and_those_of_speeds_speeds() {
     let guess = PendulumState { x: 0.1, y: -0.4, dot_x: 2.0 };
     let start = pendulum()

@@ -114,3 +114,33 @@ fn wrong_shapes_and_figures_are_told() {
     let nan = model.initial_equations_at(0.0, &PendulumState { x: f64::NAN, ..s }, &[]);
     assert!(matches!(nan.solve(), Err(Error::NonFinite { .. })));
 }
+
+#[test]
+fn the_tangent_form_keeps_the_second_derivative_of_a_position_row_and_nothing_else() {
+    // From data that violate the row, f(t) = f(0) + ḟ(0) t: (3.5) knows f̈ = 0 alone. That is the drift that projections undo.
+    let model = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare().unwrap();
+    let rate = |y: [f64; 4]| {
+        let full = model.initial_equations(0.0, &[y[0], y[1]], &[y[2], y[3]].into(), &[]);
+        let rates = full.solve_by(holonomy::forms::NullSpaceMethod::Qr).unwrap().0;
+        [y[2], y[3], rates[0], rates[1]]
+    };
+    let ahead = |y: [f64; 4], k: [f64; 4], h: f64| std::array::from_fn(|i| y[i] + h * k[i]);
+    let mut y = [0.3, -0.42, 0.5, 0.2];
+    let residuals = |y: [f64; 4]| {
+        let [f] = model.position_residual(0.0, &[y[0], y[1]]);
+        let [rate] = model.velocity_residual(0.0, &[y[0], y[1]], &[y[2], y[3]].into());
+        (f, rate)
+    };
+    let (f, slope) = residuals(y);
+    let h = 1e-3;
+    for _ in 0..500 {
+        let a = rate(y);
+        let b = rate(ahead(y, a, h / 2.0));
+        let c = rate(ahead(y, b, h / 2.0));
+        let d = rate(ahead(y, c, h));
+        y = std::array::from_fn(|i| y[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]));
+    }
+    let (end, end_slope) = residuals(y);
+    assert!(f.abs() > 5e-3 && slope.abs() > 0.05);
+    assert!((end - f - 0.5 * slope).abs() < 1e-11 && (end_slope - slope).abs() < 1e-11);
+}

@@ -221,6 +221,11 @@ fn dependent_rows_share_the_load_with_the_least_norm() {
             assert!(distance(&longer.constraint_matrix.tr_mul(&lambda), &load) < 1e-11);
         }
         assert!(distance(&longer.multipliers_of(&rates).unwrap(), &expected) < 1e-10);
+        let independent = longer.independent_rows().unwrap();
+        assert_eq!(independent.rows.len(), m);
+        let (again, forces) = independent.solve().unwrap();
+        assert!(distance(&again, &rates) < 1e-10);
+        assert!(distance(&independent.constraint_matrix.tr_mul(&forces), &load) < 1e-10);
         // What needs independent rows tells that they are not.
         for error in [longer.solve().unwrap_err(), longer.multipliers().unwrap_err(), longer.check_rank().unwrap_err()]
         {

@@ -60,6 +60,30 @@ impl AmaxOrZero for DMatrix<f64> {
 }
 
 #[test]
+fn the_speeds_are_those_of_the_paper() {
+    let mut random = Random::new(17);
+    for _ in 0..100 {
+        let n = random.between(2, 10);
+        let m = random.between(1, n - 1);
+        let full = random.system(n, m);
+        // (5.2), (5.3): with C v + η = 0, v = Dᵀ u + v_u and v_u = −M⁻¹ Cᵀ M_c⁻¹ η; (5.7): ẋ = A Dᵀ u + A v_u + a0.
+        let eta = -(&full.constraint_matrix * &full.velocities);
+        let compliance = full.inertia.clone().cholesky().unwrap().solve(&full.constraint_matrix.transpose());
+        let rest = -(&compliance * full.constraint_metric().unwrap().cholesky().unwrap().solve(&eta));
+        let null = full.null_space(NullSpaceMethod::Lu).unwrap();
+        let a = null.particular(&full.constraint_bias);
+        let reduced = full.with_rows(&[]).unwrap().reduced(&null.complement, &a).unwrap();
+        assert!(distance(&(null.complement.tr_mul(&reduced.velocities) + &rest), &full.velocities) < 1e-12);
+        let bias = &full.kinematic_matrix * &rest + &full.kinematic_bias;
+        assert!(distance(&reduced.kinematic_bias, &bias) < 1e-12);
+        // Velocities in the independent columns: with the particular ones of the unit block instead of v_u, u = v there.
+        let v_p = null.particular(&eta);
+        let u = DVector::from_fn(n - m, |i, _| full.velocities[null.independent[i]]);
+        assert!(distance(&(null.complement.tr_mul(&u) + v_p), &full.velocities) < 1e-12);
+    }
+}
+
+#[test]
 fn rows_that_are_still_open_act_as_well() {
     let mut random = Random::new(12);
     for _ in 0..100 {

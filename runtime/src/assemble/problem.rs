@@ -87,6 +87,12 @@ impl<'b, M: ConstrainedSystem> Problem<'b, M> {
         if rows.is_empty() && self.sorted.velocities.is_empty() {
             return Ok(AssemblyReport::default());
         }
+        let (t, s) = (self.time, self.state());
+        if entries(&self.model.velocities(t, &s)).iter().any(|v| !v.is_finite())
+            && let Some((guard, value)) = self.model.lost_guard(t, &s, &[])
+        {
+            return Err(Error::ChartSingularity { guard, value, time: t });
+        }
         self.solve(speeds, false, Rows::Velocities(rows), names)
     }
 

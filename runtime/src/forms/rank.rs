@@ -5,8 +5,8 @@ use alloc::vec::Vec;
 use nalgebra::DMatrix;
 
 use super::null_space::{householder, scale_rows};
-use super::{InitialEquations, NullSpace, NullSpaceMethod, dynamic_matrix};
-use crate::{ConstrainedSystem, Error, GuardKind, Prepared, Vector};
+use super::{InitialEquations, NullSpace, NullSpaceMethod, RANK_THRESHOLD, dynamic_matrix};
+use crate::{ConstrainedSystem, Error, GuardInfo, Prepared, Vector};
 
 /// A row takes part in a combination if its coefficient is above this, rows scaled to one size.
 const PART: f64 = 1e-6;
@@ -34,6 +34,31 @@ impl InitialEquations {
         if null.rank < self.rows.len() { Err(self.dependent(&null)) } else { Ok(smallest) }
     }
 
+    /// The same system with as many rows as are independent, the best ones, in their order: for the forms that need independent
+    /// rows, where a model has redundant ones. Their λ are those of a system without the others.
+    ///
+    /// ```
+    /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+    /// # use models::{Pendulum, PendulumVelocities};
+    /// use holonomy::prelude::*;
+    ///
+    /// let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
+    /// let v = PendulumVelocities::default();
+    /// assert_eq!(pendulum.initial_equations(0.0, &[0.3, -0.4], &v, &[]).independent_rows()?.rows, ["rod"]);
+    /// assert!(pendulum.initial_equations(0.0, &[0.0, 0.0], &v, &[]).independent_rows()?.rows.is_empty());
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn independent_rows(&self) -> Result<Self, Error> {
+        if self.constraint_matrix.iter().any(|entry| !entry.is_finite()) {
+            return Err(Error::NonFinite { name: "C" });
+        }
+        let (scaled, _) = scale_rows(&self.constraint_matrix);
+        let factors = householder(scaled.transpose(), RANK_THRESHOLD, self.rows.len());
+        let mut picked = factors.order[..factors.rank].to_vec();
+        picked.sort_unstable();
+        Ok(self.with_picked_rows(&picked))
+    }
+
     /// What made a matrix singular: rows that depend on each other, if any do.
     pub(super) fn explain(&self, error: Error) -> Error {
         match (&error, self.check_rank()) {
@@ -59,8 +84,10 @@ impl InitialEquations {
 }
 
 impl<M: ConstrainedSystem> Prepared<M> {
-    /// [`InitialEquations::check_rank`] at a state. The error also names the guard that is nearest to zero there, if the model
-    /// has one that vanishes with the rank.
+    /// [`InitialEquations::check_rank`] at a state. The error also names the guard that vanishes with the rank, if the
+    /// model has one: formulas that need no division by it go on.
+    ///
+    /// Rows that the model has marked `redundant` do not count.
     ///
     /// A guard that vanishes while the rank is full tells of a chart that ends; other speeds go on.
     ///
@@ -78,9 +105,10 @@ impl<M: ConstrainedSystem> Prepared<M> {
     /// ```
     pub fn check_rank(&self, t: f64, s: &M::State<f64>) -> Result<f64, Error> {
         let (x, v) = (self.coordinates(t, s), self.velocities(t, s));
-        let c = dynamic_matrix(&self.constraint_matrix(t, &x, &v));
-        let guard = self.lost_guard(t, s);
-        let null = match (NullSpace::new(&c, NullSpaceMethod::Svd), guard) {
+        let all = dynamic_matrix(&self.constraint_matrix(t, &x, &v));
+        let kept: Vec<usize> = (0..all.nrows()).filter(|row| !M::MODEL.rows[*row].redundant).collect();
+        let c = all.select_rows(&kept);
+        let null = match (NullSpace::new(&c, NullSpaceMethod::Svd), self.lost_guard(t, s, &[])) {
             (Err(_), Some((guard, value))) => return Err(Error::ChartSingularity { guard, value, time: t }),
             (null, _) => null?,
         };
@@ -88,17 +116,23 @@ impl<M: ConstrainedSystem> Prepared<M> {
         if null.rank == c.nrows() {
             return Ok(smallest);
         }
-        let part = |row: &usize| dependencies(&c, null.rank).iter().any(|combination| combination.contains(row));
-        let rows = (0..c.nrows()).filter(part).map(|row| M::MODEL.rows[row].name).collect();
-        Err(Error::Dependent { rows, value: smallest, guard: guard.map(|(name, _)| name), time: Some(t) })
+        let combinations = dependencies(&c, null.rank);
+        let part = |row: &usize| combinations.iter().any(|combination| combination.contains(row));
+        let rows: Vec<&'static str> = (0..c.nrows()).filter(part).map(|row| M::MODEL.rows[kept[row]].name).collect();
+        let guard = self.lost_guard(t, s, &rows).map(|(name, _)| name);
+        Err(Error::Dependent { rows, value: smallest, guard, time: Some(t) })
     }
 
-    /// The pivot that is nearest to zero, where one counts as zero.
-    fn lost_guard(&self, t: f64, s: &M::State<f64>) -> Option<(&'static str, f64)> {
+    /// The guard that is nearest to zero, where one counts as zero: of those that come from one of the rows, if any does.
+    pub(crate) fn lost_guard(&self, t: f64, s: &M::State<f64>, rows: &[&str]) -> Option<(&'static str, f64)> {
         let array: <M::Guards<f64> as Vector<f64>>::Array = self.guards(t, s).into();
-        let pivots = M::MODEL.guards.iter().zip(array.as_ref()).filter(|(guard, _)| guard.kind == GuardKind::Pivot);
-        let (guard, value) = pivots.min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))?;
-        (value.abs() <= super::RANK_THRESHOLD || !value.is_finite()).then_some((guard.name, *value))
+        let lost = |value: &f64| value.abs() <= RANK_THRESHOLD || !value.is_finite();
+        let guards = M::MODEL.guards.iter().zip(array.as_ref()).filter(|(_, value)| lost(value));
+        let (guard, value) = guards.min_by(|(a, x), (b, y)| {
+            let apart = |guard: &GuardInfo| !guard.rows.iter().any(|row| rows.contains(row));
+            apart(a).cmp(&apart(b)).then(x.abs().total_cmp(&y.abs()))
+        })?;
+        Some((guard.name, *value))
     }
 }
 

@@ -70,12 +70,16 @@ impl InitialEquations {
         let unknown = |name: &&str| Error::UnknownName { name: (*name).into(), known: self.rows.clone() };
         let find = |name: &&str| self.rows.iter().position(|row| row == name).ok_or_else(|| unknown(name));
         let picked: Vec<usize> = rows.iter().map(find).collect::<Result<_, _>>()?;
-        Ok(InitialEquations {
+        Ok(self.with_picked_rows(&picked))
+    }
+
+    pub(super) fn with_picked_rows(&self, picked: &[usize]) -> Self {
+        InitialEquations {
             rows: picked.iter().map(|row| self.rows[*row]).collect(),
-            constraint_matrix: self.constraint_matrix.select_rows(&picked),
-            constraint_bias: self.constraint_bias.select_rows(&picked),
+            constraint_matrix: self.constraint_matrix.select_rows(picked),
+            constraint_bias: self.constraint_bias.select_rows(picked),
             ..self.clone()
-        })
+        }
     }
 
     /// The system in u that v = Dᵀ u + v_p, v̇ = Dᵀ u̇ + a makes of this one (4.10), (5.6), (5.7), its rows rewritten.
