@@ -484,6 +484,27 @@ fn refused(tokens: proc_macro2::TokenStream) -> String {
 }
 
 #[test]
+fn rows_that_repeat_each_other_behind_a_configuration_say_the_same() {
+    let on_a_circle = |second: proc_macro2::TokenStream| {
+        quote! {
+            #[coordinates(x, y)]
+            #[inertia(diag(m, m))]
+            #[forces(0, -m*g)]
+            #[configuration(of(alpha), x = l*sin(alpha), y = -l*cos(alpha))]
+            #[constraint(first: dot(x) == t)]
+            #second
+            struct Driven { m: f64, g: f64, l: f64 }
+        }
+    };
+    checked(on_a_circle(quote!(#[constraint(second: dot(y)*y == -t*x)])));
+    let text = refused(on_a_circle(quote!(#[constraint(second: dot(y)*y == -2*t*x)])));
+    assert!(text.contains("`second` cannot hold: the configuration"), "{text}");
+    checked(on_a_circle(quote!(#[constraint(second: y*ddot(y) + powi(dot(y), 2) + x + t*t == 0)])));
+    let text = refused(on_a_circle(quote!(#[constraint(second: y*ddot(y) + powi(dot(y), 2) + 2*x + t*t == 0)])));
+    assert!(text.contains("`second` cannot hold: on the motions"), "{text}");
+}
+
+#[test]
 fn rows_that_depend_on_each_other_are_refused() {
     let twice = refused(quote! {
         #[coordinates(x, y)]

@@ -5,10 +5,11 @@
 
 use super::Simplifier;
 use super::constraints::{DifferentiatedRow, motion};
-use super::dependence::independent;
+use super::dependence::{combination, independent};
+use super::elimination::{Choice, eliminate};
 use super::messages;
 use crate::model::InitialSystem;
-use crate::symbolic::{Expr, Matrix, Symbol};
+use crate::symbolic::{Expr, Graph, Matrix, Symbol};
 use crate::syntax::Diagnostics;
 
 /// The first stage: from the initial system to the carriers w.
@@ -130,9 +131,43 @@ pub fn carried(
         let gradients: Vec<Vec<Expr>> = carried.iter().map(|row| row.gradient.clone()).collect();
         let order: Vec<usize> = (0..all).collect();
         let keep = independent(&system.graph, &gradients, &order);
+        let basis: Vec<&CarriedRow> = keep.iter().map(|i| &carried[*i]).collect();
+        let repeated = order.iter().filter(|i| !keep.contains(i)).map(|i| &carried[*i]);
+        check_repeated(&mut system.graph, simplifier, &basis, repeated, |row| &rows[kept[row]], errors);
         let mut position = 0..all;
         carried.retain(|_| position.next().is_some_and(|i| keep.contains(&i)));
     }
     let overlapping = carried.len() < all;
     (carried, overlapping)
+}
+
+/// Rows that repeat others among the carriers must say the same there.
+fn check_repeated<'a>(
+    graph: &mut Graph,
+    simplifier: &mut dyn Simplifier,
+    basis: &[&CarriedRow],
+    repeated: impl Iterator<Item = &'a CarriedRow>,
+    declared: impl Fn(usize) -> &'a DifferentiatedRow,
+    errors: &mut Diagnostics,
+) {
+    let mut repeated = repeated.peekable();
+    if repeated.peek().is_none() {
+        return;
+    }
+    let width = basis.first().map_or(0, |row| row.gradient.len());
+    let c = Matrix::from_rows(basis.iter().map(|row| row.gradient.clone()).collect(), width);
+    // Pivots that serve only this question must not become guards of the model.
+    graph.without_new_assumptions(|graph| {
+        let choice = Choice { columns: vec![true; width], new_guards: true };
+        let Ok(elimination) = eliminate(graph, simplifier, &c, &choice) else { return };
+        for row in repeated {
+            let coefficients = combination(graph, simplifier, &elimination, &row.gradient);
+            let terms: Vec<Expr> = coefficients.iter().zip(basis).map(|(c, k)| graph.mul(*c, k.offset)).collect();
+            let total = graph.sum(&terms);
+            if !graph.identical(row.offset, total) {
+                let DifferentiatedRow { name, span, .. } = declared(row.row);
+                errors.report(*span, messages::excluded_by_configuration(name));
+            }
+        }
+    });
 }
