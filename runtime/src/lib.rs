@@ -90,7 +90,8 @@ pub use scalar::{Dual, Scalar};
 pub use simulate::{Interrupted, Method, Simulation, Trajectory};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use system::{
-    ConstrainedSystem, Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo, RowInfo, State,
+    ChartInfo, ConstrainedSystem, Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo,
+    RowInfo, State,
 };
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use vector::Vector;
