@@ -52,6 +52,10 @@ compile_error!("holonomy needs elementary functions: enable the feature `std` (d
 #[cfg(any(feature = "std", feature = "libm"))]
 mod assemble;
 #[cfg(any(feature = "std", feature = "libm"))]
+mod carriers;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod drift;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod error;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod forms;
@@ -71,6 +75,8 @@ mod scalar;
 pub mod simulate;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod system;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod tangent;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod vector;
 
