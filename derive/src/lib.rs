@@ -52,7 +52,7 @@ use proc_macro::TokenStream;
 /// | `constraint(name: left == right)` | a row; its kind is read off what it mentions: f(x, t), φ(v, x, t), which need not be linear in v, or with `dot(v)`, `ddot(q)` a row that is linear in accelerations; f is left minus right |
 /// | `constraint(name: left == right, redundant)` | the same, where it may depend on other rows: if it does and says nothing else, it stays in C, and the reactions of all rows are those of least norm |
 /// | `configuration(z = 0, x = ..)` | x = g(q, t) (4.2): the named coordinates as functions of the others; `of(alpha)` introduces further q |
-/// | `independent(v6, dot(phi))` | the independent speeds u, in this order; else the cheapest pivots choose |
+/// | `independent(v6, dot(phi))` | the independent speeds u, in this order; else the cheapest pivots choose; given several times, the first names the state's speeds and each further one is a chart that is regular elsewhere |
 /// | `complement(u1 = [..], ..)` | D (3.1) by rows, each with the name of its speed; D Cᵀ ≡ 0 is decided |
 /// | `potential_energy(V)` | V(x, t), for `energy` |
 /// | `define(mu = ..)` | names for intermediate quantities |

@@ -174,6 +174,16 @@ pub enum Error {
     },
 }
 
+impl Error {
+    /// The guard that vanished, where one did.
+    pub(crate) fn guard(&self) -> Option<&'static str> {
+        match self {
+            Error::ChartSingularity { guard, .. } => Some(guard),
+            _ => None,
+        }
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -192,7 +202,7 @@ impl fmt::Display for Error {
             Error::ChartSingularity { guard, value, time } => write!(
                 out,
                 "the coordinates or independent speeds of the model break down at t = {time}: {guard} is {value:e} and must neither vanish nor change its sign; \
-                 choose other coordinates or other independent speeds for this motion"
+                 choose other coordinates or other independent speeds for this motion, or give all `velocities` of a start there"
             ),
             Error::Unmet { constraint, residual } => write!(
                 out,

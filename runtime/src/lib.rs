@@ -52,6 +52,10 @@ compile_error!("holonomy needs elementary functions: enable the feature `std` (d
 #[cfg(any(feature = "std", feature = "libm"))]
 mod assemble;
 #[cfg(any(feature = "std", feature = "libm"))]
+mod carriers;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod drift;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod error;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod forms;
@@ -72,6 +76,8 @@ pub mod simulate;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod system;
 #[cfg(any(feature = "std", feature = "libm"))]
+mod tangent;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod vector;
 
 #[cfg(any(feature = "std", feature = "libm"))]
@@ -90,7 +96,8 @@ pub use scalar::{Dual, Scalar};
 pub use simulate::{Interrupted, Method, Simulation, Trajectory};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use system::{
-    ConstrainedSystem, Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo, RowInfo, State,
+    ChartInfo, ConstrainedSystem, Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo,
+    RowInfo, State,
 };
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use vector::Vector;

@@ -3,16 +3,21 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::math::double::sqrt;
+use crate::carriers::{Carriers, Frame};
+use crate::tangent::Tangent;
 use crate::vector::convert;
 use crate::{ConstrainedSystem, Dual, Error, Prepared, Scalar, Vector};
 
 /// A residual below this many units of rounding of its terms counts as zero.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// A residual that Newton's method no longer reduces is accepted below this fraction of its terms.
-const STALLED: f64 = 1e-12;
-/// Rows whose directions differ by less than the root of this count as dependent.
-const DEPENDENT: f64 = 1e-13;
+pub(crate) const STALLED: f64 = 1e-12;
+/// Rows whose directions differ by less than this count as dependent.
+pub(crate) const DEPENDENT: f64 = 3e-7;
+/// In the size of a row's terms no entry counts with less than this fraction of the largest one …
+const SMALLEST: f64 = 1e-4;
+/// … and no less than this: where all are zero but for rounding, nothing tells how large they are meant to be.
+const NOISE: f64 = 1e-6;
 const ITERATIONS: usize = 10;
 
 /// The same model over dual numbers, all derivatives zero.
@@ -29,9 +34,18 @@ pub(crate) type Rows<'a, M, R> = &'a dyn Fn(
     &<M as ConstrainedSystem>::Velocities<Dual>,
 ) -> R;
 
+/// The smallest magnitude with which an entry of a vector counts in the size of terms.
+///
+/// Of a row like z = 0 the terms are the noise itself: what the noise is small against is how far the other entries reach.
+fn floor<V: Vector<f64>>(v: &V) -> f64 {
+    let array: V::Array = (*v).into();
+    let reach = array.as_ref().iter().fold(0.0, |reach: f64, entry| reach.max(entry.abs()));
+    if reach.is_finite() { NOISE.max(SMALLEST * reach) } else { NOISE }
+}
+
 /// The size of each row's terms: Σ |∂row/∂y| |y| over time, coordinates, velocities and parameters.
 ///
-/// It does not depend on units, and rounding errors of the row are a few ε of it.
+/// It depends on units only where nearly everything is zero, and rounding errors of the row are a few ε of it.
 pub(crate) fn term_sizes<M: ConstrainedSystem, R: Vector<Dual>>(
     model: &Prepared<M>,
     t: f64,
@@ -40,10 +54,12 @@ pub(crate) fn term_sizes<M: ConstrainedSystem, R: Vector<Dual>>(
     rows: Rows<'_, M, R>,
 ) -> Result<Vec<f64>, Error> {
     let dual = lift(model)?;
-    let seeded =
-        |at: Option<usize>| move |i: usize, value: f64| Dual::new(value, if at == Some(i) { value } else { 0.0 });
-    let plain_x: M::Coordinates<Dual> = convert(x, seeded(None));
-    let plain_v: M::Velocities<Dual> = convert(v, seeded(None));
+    let seeded = |at: Option<usize>, least: f64| {
+        move |i: usize, value: f64| Dual::new(value, if at == Some(i) { value.abs().max(least) } else { 0.0 })
+    };
+    let (least_x, least_v) = (floor(x), floor(v));
+    let plain_x: M::Coordinates<Dual> = convert(x, seeded(None, 0.0));
+    let plain_v: M::Velocities<Dual> = convert(v, seeded(None, 0.0));
     let mut sizes = Vec::new();
     let mut collect = |row: R| {
         let array: R::Array = row.into();
@@ -56,13 +72,13 @@ pub(crate) fn term_sizes<M: ConstrainedSystem, R: Vector<Dual>>(
     };
     collect(rows(&dual, Dual::new(t, t), &plain_x, &plain_v));
     for j in 0..length(x) {
-        collect(rows(&dual, Dual::constant(t), &convert(x, seeded(Some(j))), &plain_v));
+        collect(rows(&dual, Dual::constant(t), &convert(x, seeded(Some(j), least_x)), &plain_v));
     }
     for j in 0..length(v) {
-        collect(rows(&dual, Dual::constant(t), &plain_x, &convert(v, seeded(Some(j)))));
+        collect(rows(&dual, Dual::constant(t), &plain_x, &convert(v, seeded(Some(j), least_v))));
     }
     for j in 0..length(model.parameters()) {
-        let parameters = convert(model.parameters(), seeded(Some(j)));
+        let parameters = convert(model.parameters(), seeded(Some(j), 0.0));
         let dual = Prepared::with_parameters(model.system().clone(), parameters)?;
         collect(rows(&dual, Dual::constant(t), &plain_x, &plain_v));
     }
@@ -75,8 +91,18 @@ pub(crate) fn length<T: Scalar, V: Vector<T>>(v: &V) -> usize {
     array.as_ref().len()
 }
 
+/// A residual relative to the size of its terms. NaN counts as infinite.
+pub(crate) fn ratio(residual: f64, size: f64) -> f64 {
+    match residual.abs() {
+        0.0 => 0.0,
+        residual if residual.is_finite() && size > 0.0 => residual / size,
+        _ => f64::INFINITY,
+    }
+}
+
 /// f over the state's coordinates, with its derivatives and the sizes of its terms.
 pub(crate) struct Manifold<M: ConstrainedSystem> {
+    frame: Frame<M>,
     dual: Prepared<M, Dual>,
     /// The size of the terms of each row, the largest seen.
     pub(crate) sizes: Vec<f64>,
@@ -84,22 +110,25 @@ pub(crate) struct Manifold<M: ConstrainedSystem> {
     pub(crate) jacobian: Vec<f64>,
     /// The number of coordinates of the state.
     pub(crate) columns: usize,
-    gram: Vec<f64>,
-    weights: Vec<f64>,
+    /// The largest residual at the last point that was restored, relative to its terms.
+    pub(crate) last: f64,
+    tangent: Tangent,
 }
 
 impl<M: ConstrainedSystem> Manifold<M> {
     pub(crate) fn new(model: &Prepared<M>, t: f64, s: &M::State<f64>) -> Result<Self, Error> {
-        let (x, v) = (model.coordinates(t, s), model.velocities(t, s));
+        let (x, v) = (model.coordinates(t, s), M::Velocities::from_fn(|_| 0.0));
         let sizes = term_sizes(model, t, &x, &v, &|model, t, x, _| model.position_residual(t, x))?;
         let (rows, columns) = (sizes.len(), M::MODEL.state_coordinates.len());
+        let frame = Frame::new(model, Carriers::General)?;
         Ok(Manifold {
             dual: lift(model)?,
             sizes,
             jacobian: vec![0.0; rows * columns],
             columns,
-            gram: vec![0.0; rows * rows],
-            weights: vec![0.0; rows],
+            last: 0.0,
+            tangent: Tangent::new(frame.size.1, rows),
+            frame,
         })
     }
 
@@ -122,43 +151,36 @@ impl<M: ConstrainedSystem> Manifold<M> {
         }
     }
 
-    /// The largest residual relative to the size of its terms, and its row. NaN counts as infinite.
+    /// The largest residual relative to the size of its terms, and its row.
     pub(crate) fn worst(&self, f: &[f64]) -> (usize, f64) {
-        let mut worst = (0, 0.0);
-        for (i, (residual, size)) in f.iter().zip(&self.sizes).enumerate() {
-            let ratio = match residual.abs() {
-                0.0 => 0.0,
-                residual if residual.is_finite() && *size > 0.0 => residual / size,
-                _ => f64::INFINITY,
-            };
-            if ratio > worst.1 {
-                worst = (i, ratio);
-            }
-        }
-        worst
+        let ratios = f.iter().zip(&self.sizes).map(|(residual, size)| ratio(*residual, *size)).enumerate();
+        ratios.fold((0, 0.0), |worst, (i, ratio)| if ratio > worst.1 { (i, ratio) } else { worst })
     }
 
-    /// Brings the coordinates of the state back onto f = 0 by Newton steps of least norm, and tells whether it moved them.
+    /// Brings the coordinates of the state back onto f = 0 by Newton steps that are the least ones in the kinetic metric, and
+    /// tells whether it moved them.
     pub(crate) fn restore(&mut self, model: &Prepared<M>, t: f64, s: &mut M::State<f64>) -> Result<bool, Error> {
-        let mut last = f64::INFINITY;
+        let mut before = f64::INFINITY;
         let mut moved = false;
         for _ in 0..ITERATIONS {
             let f = model.position_residual_at(t, s).into();
-            if self.worst(f.as_ref()).1 <= ROUNDING {
+            self.last = self.worst(f.as_ref()).1;
+            if self.last <= ROUNDING {
                 return Ok(moved);
             }
             self.differentiate(t, s);
-            let (_, ratio) = self.worst(f.as_ref());
-            if ratio <= ROUNDING || (ratio <= STALLED && ratio > 0.5 * last) {
+            self.last = self.worst(f.as_ref()).1;
+            if self.last <= ROUNDING || (self.last <= STALLED && self.last > 0.5 * before) {
                 return Ok(moved);
             }
-            last = ratio;
-            self.step(f.as_ref(), s);
+            before = self.last;
+            self.step(model, t, f.as_ref(), s);
             moved = true;
         }
         let f = model.position_residual_at(t, s).into();
-        let (row, ratio) = self.worst(f.as_ref());
-        if ratio <= STALLED {
+        let row;
+        (row, self.last) = self.worst(f.as_ref());
+        if self.last <= STALLED {
             return Ok(moved);
         }
         Err(Error::Projection {
@@ -168,58 +190,50 @@ impl<M: ConstrainedSystem> Manifold<M> {
         })
     }
 
-    /// One step of least norm: δ = −Jᵀ (J Jᵀ)⁻¹ f. Dependent rows are left out; where they agree they are met all the same.
-    fn step(&mut self, f: &[f64], s: &mut M::State<f64>) {
-        let (m, n) = (f.len(), self.columns);
-        for (i, residual) in f.iter().enumerate() {
-            let row = &mut self.jacobian[i * n..(i + 1) * n];
-            let norm = sqrt(row.iter().map(|slope| slope * slope).sum());
-            let scale = if norm > 0.0 && norm.is_finite() { 1.0 / norm } else { 0.0 };
-            row.iter_mut().for_each(|slope| *slope *= scale);
-            self.weights[i] = -residual * scale;
-        }
-        for i in 0..m {
-            for j in 0..=i {
-                let (a, b) = (&self.jacobian[i * n..(i + 1) * n], &self.jacobian[j * n..(j + 1) * n]);
-                self.gram[i * m + j] = a.iter().zip(b).map(|(a, b)| a * b).sum();
+    /// Whether a row depends on the coordinates of the state at all, by the Jacobian: a configuration satisfies its rows.
+    fn moves(&self, row: usize, s: &M::State<f64>) -> bool {
+        let array: <M::State<f64> as Vector<f64>>::Array = (*s).into();
+        let least = floor(s);
+        let slopes = self.jacobian[row * self.columns..(row + 1) * self.columns].iter().zip(array.as_ref());
+        let terms: f64 = slopes.map(|(slope, q)| (slope * q.abs().max(least)).abs()).sum();
+        terms > STALLED * self.sizes[row]
+    }
+
+    /// Whether the coordinates of the state satisfy f = 0 by construction.
+    pub(crate) fn is_satisfied(&mut self, t: f64, s: &M::State<f64>) -> bool {
+        self.differentiate(t, s);
+        (0..self.sizes.len()).all(|row| !self.moves(row, s))
+    }
+
+    /// ∂f/∂q K of one row: its derivative along the carriers.
+    pub(crate) fn gradient(&mut self, t: f64, s: &M::State<f64>, row: usize) -> Vec<f64> {
+        self.differentiate(t, s);
+        self.frame.kinematics(t, s);
+        let (c, n) = (self.frame.size.1, self.columns);
+        let slopes = &self.jacobian[row * n..(row + 1) * n];
+        (0..c).map(|j| slopes.iter().enumerate().map(|(l, slope)| slope * self.frame.rates[l * c + j]).sum()).collect()
+    }
+
+    /// The step δq = K δw with ∂f/∂q K δw = −f and δwᵀ Bᵀ M B δw least, for q̇ = K w + … and v = B w + ….
+    fn step(&mut self, model: &Prepared<M>, t: f64, f: &[f64], s: &mut M::State<f64>) {
+        let (c, n) = (self.frame.size.1, self.columns);
+        self.frame.turn(t, s, |_| 0.0);
+        self.frame.kinematics(t, s);
+        self.frame.pull_inertia(&model.inertia(t, &model.coordinates(t, s)), &mut self.tangent.mass);
+        for i in 0..f.len() {
+            let live = self.moves(i, s);
+            let row = &self.jacobian[i * n..(i + 1) * n];
+            for j in 0..c {
+                let slopes = row.iter().enumerate().map(|(l, slope)| slope * self.frame.rates[l * c + j]);
+                self.tangent.rows[i * c + j] = if live { slopes.sum() } else { 0.0 };
             }
         }
-        solve_gram(&mut self.gram, &mut self.weights, m);
+        let change = self.tangent.nearest(f, DEPENDENT);
         let mut array: <M::State<f64> as Vector<f64>>::Array = (*s).into();
-        for (j, q) in array.as_mut().iter_mut().take(n).enumerate() {
-            let delta: f64 = (0..m).map(|i| self.jacobian[i * n + j] * self.weights[i]).sum();
-            *q += delta;
+        for (l, q) in array.as_mut().iter_mut().take(n).enumerate() {
+            *q += (0..c).map(|j| self.frame.rates[l * c + j] * change[j]).sum::<f64>();
         }
         *s = array.into();
-    }
-}
-
-/// Solves G w = b in place for a positive semidefinite G with unit diagonal, by Cholesky on its lower half.
-///
-/// Where a pivot vanishes the row depends on earlier ones, and its weight is zero.
-fn solve_gram(g: &mut [f64], b: &mut [f64], m: usize) {
-    for j in 0..m {
-        let mut pivot = g[j * m + j];
-        for k in 0..j {
-            pivot -= g[j * m + k] * g[j * m + k];
-        }
-        let inverse = if pivot > DEPENDENT { 1.0 / sqrt(pivot) } else { 0.0 };
-        for i in j + 1..m {
-            let mut entry = g[i * m + j];
-            for k in 0..j {
-                entry -= g[i * m + k] * g[j * m + k];
-            }
-            g[i * m + j] = entry * inverse;
-        }
-        g[j * m + j] = inverse;
-    }
-    for i in 0..m {
-        let sum: f64 = (0..i).map(|k| g[i * m + k] * b[k]).sum();
-        b[i] = (b[i] - sum) * g[i * m + i];
-    }
-    for i in (0..m).rev() {
-        let sum: f64 = (i + 1..m).map(|k| g[k * m + i] * b[k]).sum();
-        b[i] = (b[i] - sum) * g[i * m + i];
     }
 }
 

@@ -1,5 +1,6 @@
 //! A model that is ready to run: parameters checked, parameter-only work done.
 
+mod charts;
 mod initial;
 mod reactions;
 mod velocities;

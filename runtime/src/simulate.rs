@@ -1,13 +1,17 @@
 //! Simulation: integrating the minimal equations, watching the guards, staying on the constraints.
 
+mod charts;
 mod control;
 mod course;
 mod dop853;
 mod emitted;
+mod equations;
 mod flow;
+mod general;
 mod guards;
 mod inputs;
 mod kernel;
+mod orientation;
 mod stages;
 mod tableau;
 #[cfg(test)]
@@ -23,12 +27,14 @@ use crate::{ConstrainedSystem, Error, Prepared};
 use control::Tolerance;
 use course::Course;
 use emitted::check_inputs;
+use equations::Baumgarte;
 use guards::Watch;
 use kernel::{Pace, Plan};
 
+pub use charts::{Chart, Charts, FLAT, STEEP};
 pub use guards::SINGULAR;
 pub use inputs::{InputSource, NoInputs};
-pub use trajectory::{Interrupted, Statistics, Trajectory};
+pub use trajectory::{Interrupted, Residuals, Statistics, Trajectory};
 
 /// The residual that a start may have in f and φ, as a fraction of the terms of the constraint.
 pub const START_TOLERANCE: f64 = 1e-9;
@@ -99,6 +105,9 @@ pub struct Simulation<'a, M: ConstrainedSystem, I = NoInputs> {
     every: Option<f64>,
     dense: bool,
     max_steps: usize,
+    charts: Charts,
+    baumgarte: Baumgarte,
+    velocities: Option<M::Velocities<f64>>,
     source: I,
     progress: Option<Box<dyn FnMut(f64) + 'a>>,
 }
@@ -134,6 +143,9 @@ impl<M: ConstrainedSystem> Prepared<M> {
             every: None,
             dense: true,
             max_steps: 10_000_000,
+            charts: Charts::Change,
+            baumgarte: None,
+            velocities: None,
             source: NoInputs,
             progress: None,
         }
@@ -176,6 +188,65 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
         self
     }
 
+    /// Which charts the run may use: it changes them otherwise, so that no choice of independent speeds ends it.
+    ///
+    /// A run leaves a chart that is steeper than [`STEEP`] for the flattest of the model's charts that is flatter than [`FLAT`], and
+    /// works in the general one, all velocities with the numerical null space of C (3.5), while there is none. Steps, accuracy
+    /// and step size are the same in all; the general chart takes longer.
+    #[must_use]
+    pub fn charts(mut self, charts: Charts) -> Self {
+        self.charts = charts;
+        self
+    }
+
+    /// All velocities of the start, for a start at which the speeds of the state do not determine the others; the speeds of the
+    /// state then do not count.
+    ///
+    /// ```
+    /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+    /// # use models::{Pendulum, PendulumState, PendulumVelocities};
+    /// use holonomy::prelude::*;
+    ///
+    /// // The rod is level, and the mass falls: ẋ is zero whatever ẏ is.
+    /// let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
+    /// let level = PendulumState { x: 0.5, y: 0.0, dot_x: 0.0 };
+    /// assert!(pendulum.simulate(level).until(0.1).is_err());
+    /// let falling = PendulumVelocities { dot_x: 0.0, dot_y: -1.0 };
+    /// let run = pendulum.simulate(level).velocities(falling).until(0.1)?;
+    /// assert!(run.last().1.y < -0.1);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn velocities(mut self, v: M::Velocities<f64>) -> Self {
+        self.velocities = Some(v);
+        self
+    }
+
+    /// Stabilises the constraints instead of restoring them: C v̇ + c0* + 2α φ + β² f = 0, in the general chart throughout.
+    ///
+    /// For comparison with other programs, and the worse choice: residuals stay as large as the errors of the steps make them, the
+    /// motion depends on α and β, and large ones make it stiff. Errors decay critically damped with α = β.
+    ///
+    /// ```
+    /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+    /// # use models::{Pendulum, PendulumState};
+    /// use holonomy::prelude::*;
+    ///
+    /// let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
+    /// let start = PendulumState { x: 0.3, y: -0.4, dot_x: 0.0 };
+    /// let stabilised = pendulum.simulate(start).tolerance(1e-6, 1e-6).baumgarte(10.0, 10.0).until(5.0)?;
+    /// let restored = pendulum.simulate(start).tolerance(1e-6, 1e-6).until(5.0)?;
+    /// let last = |run: &holonomy::Trajectory<Pendulum>| run.residuals(run.times().len() - 1).position;
+    /// assert!(last(&restored) < 1e-14 && last(&stabilised) > 1e-14 && last(&stabilised) < 1e-6);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn baumgarte(mut self, alpha: f64, beta: f64) -> Self {
+        self.baumgarte = Some((alpha, beta));
+        self.charts = Charts::General;
+        self
+    }
+
     /// Keeps the states at this spacing, by dense output, and the end; otherwise the state after every step.
     #[must_use]
     pub fn every(mut self, spacing: f64) -> Self {
@@ -208,6 +279,9 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
             every: self.every,
             dense: self.dense,
             max_steps: self.max_steps,
+            charts: self.charts,
+            baumgarte: self.baumgarte,
+            velocities: self.velocities,
             source,
             progress: self.progress,
         }
@@ -226,7 +300,15 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
     /// and where the state holds the coordinates of position constraints these are brought back onto f = 0.
     pub fn until(self, end: f64) -> Result<Trajectory<M>, Box<Interrupted<M>>> {
         let method = self.method;
-        let mut trajectory = Trajectory::new(self.from, self.start);
+        let velocities = match self.velocities {
+            Some(v) => v,
+            None => self.model.velocities(self.from, &self.start),
+        };
+        let start = match self.velocities {
+            Some(v) => trajectory::view(self.model, self.from, &self.start, &v),
+            None => self.start,
+        };
+        let mut trajectory = Trajectory::new(self.model, self.from, start, velocities);
         let result = self.check(end).and_then(|(plan, course)| match method {
             Method::Rk4 { .. } => course.run(&tableau::RK4, &plan, &mut trajectory),
             Method::DormandPrince => course.run(&tableau::DORMAND_PRINCE, &plan, &mut trajectory),
@@ -242,6 +324,16 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
     fn check(mut self, end: f64) -> Result<(Plan, Course<'a, M, I>), Error> {
         let (model, start, from) = (self.model, self.start, self.from);
         check_finite::<M>(from, &start)?;
+        if let Some(v) = &self.velocities
+            && let Some(at) = (*v).into().as_ref().iter().position(|entry| !entry.is_finite())
+        {
+            return Err(Error::NonFinite { name: M::MODEL.velocities.get(at).copied().unwrap_or("velocity") });
+        }
+        if let Some((alpha, beta)) = self.baumgarte {
+            for (name, gain) in [("first gain of `baumgarte`", alpha), ("second gain of `baumgarte`", beta)] {
+                not_negative(name, gain)?;
+            }
+        }
         if !end.is_finite() {
             return Err(Error::NonFinite { name: "end" });
         }
@@ -269,10 +361,28 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
         check_inputs::<M>(&self.source.inputs(from, &start))?;
         // The guards stand between f and φ: where one vanishes, the velocities are not finite.
         let manifold = check_position(model, from, &start)?;
-        let watch = Watch::new(model, from, &start)?;
-        check_velocity(model, from, &start)?;
+        let v = match self.velocities {
+            Some(v) => {
+                let watch = Watch::unjudged(model, 0, from, &start)?;
+                watch.check_shared(from, guards::figures(model, 0, from, &start).into().as_ref())?;
+                v
+            }
+            None => {
+                Watch::new(model, 0, from, &start)?;
+                model.velocities(from, &start)
+            }
+        };
+        check_velocity(model, from, &start, &v)?;
         let plan = Plan { start: from, end, pace, every: self.every, dense: self.dense, max_steps: self.max_steps };
-        let course = Course { model, source: self.source, watch, manifold, progress: self.progress };
+        let course = Course {
+            model,
+            source: self.source,
+            // Stabilised constraints are not restored.
+            manifold: manifold.filter(|_| self.baumgarte.is_none()),
+            charts: self.charts,
+            baumgarte: self.baumgarte,
+            progress: self.progress,
+        };
         Ok((plan, course))
     }
 }
@@ -283,22 +393,26 @@ fn check_position<M: ConstrainedSystem>(
     t: f64,
     s: &M::State<f64>,
 ) -> Result<Option<Manifold<M>>, Error> {
-    let manifold = Manifold::new(model, t, s)?;
+    let mut manifold = Manifold::new(model, t, s)?;
     let f = model.position_residual_at(t, s).into();
     if let Some((row, residual)) = unmet(f.as_ref(), &manifold.sizes) {
         let constraint = M::MODEL.position_rows.get(row).copied().unwrap_or("position");
         return Err(Error::Unmet { constraint, residual });
     }
     // With independent coordinates, f is identically zero.
-    let dependent = M::MODEL.state_coordinates == M::MODEL.coordinates;
-    Ok((dependent && !manifold.sizes.is_empty()).then_some(manifold))
+    Ok(if manifold.is_satisfied(t, s) { None } else { Some(manifold) })
 }
 
 /// φ at the start.
-fn check_velocity<M: ConstrainedSystem>(model: &Prepared<M>, t: f64, s: &M::State<f64>) -> Result<(), Error> {
-    let (x, v) = (model.coordinates(t, s), model.velocities(t, s));
-    let phi = model.velocity_residual(t, &x, &v).into();
-    let sizes = term_sizes(model, t, &x, &v, &|model, t, x, v| model.velocity_residual(t, x, v))?;
+fn check_velocity<M: ConstrainedSystem>(
+    model: &Prepared<M>,
+    t: f64,
+    s: &M::State<f64>,
+    v: &M::Velocities<f64>,
+) -> Result<(), Error> {
+    let x = model.coordinates(t, s);
+    let phi = model.velocity_residual(t, &x, v).into();
+    let sizes = term_sizes(model, t, &x, v, &|model, t, x, v| model.velocity_residual(t, x, v))?;
     match unmet(phi.as_ref(), &sizes) {
         Some((row, residual)) => Err(Error::Unmet {
             constraint: M::MODEL.velocity_rows().nth(row).map_or("velocity", |row| row.name),
@@ -318,6 +432,11 @@ fn unmet(residuals: &[f64], sizes: &[f64]) -> Option<(usize, f64)> {
 fn positive(name: &'static str, value: f64) -> Result<(), Error> {
     // Also false where the value is not a number.
     if value > 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
+}
+
+fn not_negative(name: &'static str, value: f64) -> Result<(), Error> {
+    // Also false where the value is not a number.
+    if value >= 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
 }
 
 impl<M: ConstrainedSystem, I> fmt::Debug for Simulation<'_, M, I> {

@@ -6,7 +6,9 @@ use core::fmt::Debug;
 
 use crate::{Error, Matrix, Prepared, Scalar, Vector};
 
-pub use description::{Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo, RowInfo};
+pub use description::{
+    ChartInfo, Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo, RowInfo,
+};
 
 /// The state of a model: `State::<RollingDisk> { theta: 0.3, .. }`.
 pub type State<M, T = f64> = <M as ConstrainedSystem>::State<T>;
@@ -54,6 +56,12 @@ pub trait ConstrainedSystem: Sized + Clone {
     type Reduced<T: Scalar>: Vector<T>;
     /// One figure per entry of [`Description::guards`].
     type Guards<T: Scalar>: Vector<T>;
+    /// One figure per guard of the chart with the most of them; shorter lists are filled up with ones.
+    type ChartGuards<T: Scalar>: Vector<T>;
+    /// w, the carriers of the motion: v without a configuration, with one the rates of the state's coordinates.
+    type Carriers<T: Scalar>: Vector<T>;
+    /// The coordinates of the state.
+    type StateCoordinates<T: Scalar>: Vector<T>;
     /// One figure per row of C.
     type Rows<T: Scalar>: Vector<T>;
     /// One figure per row of C that binds velocities; see [`Description::velocity_rows`].
@@ -183,6 +191,57 @@ pub trait ConstrainedSystem: Sized + Clone {
 
     /// The potential energy, where the model declares one.
     fn potential_energy<T: Scalar>(p: &Self::Values<T>, t: T, x: &Self::Coordinates<T>) -> Option<T>;
+
+    /// v of the carriers w, which the constraints that bind velocities need not satisfy: v = w without a configuration,
+    /// (4.4) with one. Of `s` the coordinates are read.
+    fn carried_velocities<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &Self::State<T>,
+        w: &Self::Carriers<T>,
+    ) -> Self::Velocities<T>;
+
+    /// The rates of the state's coordinates for the carriers w (2.1), (4.3). Of `s` the coordinates are read.
+    fn carried_rates<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &Self::State<T>,
+        w: &Self::Carriers<T>,
+    ) -> Self::StateCoordinates<T>;
+
+    /// u of a chart (see [`Description::charts`]) from v. Of `s` the coordinates are read.
+    fn chart_speeds<T: Scalar>(
+        chart: usize,
+        p: &Self::Values<T>,
+        t: T,
+        s: &Self::State<T>,
+        v: &Self::Velocities<T>,
+    ) -> Self::Speeds<T>;
+
+    /// The state's rate and the guards where the speeds of `s` are those of a chart; a chart that the model does not have
+    /// counts as the first one.
+    fn chart_derivative<T: Scalar>(
+        _chart: usize,
+        p: &Self::Values<T>,
+        t: T,
+        s: &Self::State<T>,
+        i: &Self::Inputs<T>,
+    ) -> (Self::State<T>, Self::ChartGuards<T>) {
+        let (rate, guards) = Self::derivative(p, t, s, i);
+        let guards: <Self::Guards<T> as Vector<T>>::Array = guards.into();
+        let one = T::from_f64(1.0);
+        (rate, Vector::from_fn(|at| guards.as_ref().get(at).copied().unwrap_or(one)))
+    }
+
+    /// v where the speeds of `s` are those of a chart.
+    fn chart_velocities<T: Scalar>(
+        _chart: usize,
+        p: &Self::Values<T>,
+        t: T,
+        s: &Self::State<T>,
+    ) -> Self::Velocities<T> {
+        Self::velocities(p, t, s)
+    }
 
     /// Checks the parameters and gives the model that runs.
     ///

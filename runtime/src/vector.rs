@@ -47,3 +47,10 @@ pub(crate) fn convert<T: Scalar, U: Scalar, V: Vector<T>, W: Vector<U>>(v: &V, f
     let entries = array.as_ref();
     W::from_fn(|i| f(i, entries[i]))
 }
+
+/// The entries of a vector as a function of their places.
+#[inline]
+pub(crate) fn entry<T: Scalar, V: Vector<T>>(v: &V) -> impl Fn(usize) -> T + use<T, V> {
+    let array: V::Array = (*v).into();
+    move |i| array.as_ref()[i]
+}

@@ -4,6 +4,7 @@ mod models;
 
 use holonomy::Error;
 use holonomy::prelude::*;
+use holonomy::simulate::Charts;
 use models::*;
 
 fn pendulum() -> Prepared<Pendulum> {
@@ -31,7 +32,8 @@ fn tells(error: &Error, parts: &[&str]) {
 fn chart_singularities_on_the_way_end_every_method() {
     let start = PendulumState { x: 0.0, y: -0.5, dot_x: 4.0 };
     for method in [Method::Rk4 { step: 1e-3 }, Method::Rk4 { step: 0.03 }, Method::DormandPrince, Method::Dop853] {
-        let interrupted = pendulum().simulate(start).method(method).until(10.0).unwrap_err();
+        let model = pendulum();
+        let interrupted = model.simulate(start).charts(Charts::Stay).method(method).until(10.0).unwrap_err();
         match interrupted.error {
             Error::ChartSingularity { guard: "y", time, .. } => {
                 assert!((0.1..0.3).contains(&time), "{method:?}: {time}")
@@ -49,7 +51,8 @@ fn a_constraint_that_moves_leaves_its_chart() {
     let bead = Bead { m: 1.5, w: 1.0, g: 0.0 }.prepare().unwrap();
     let start = BeadState { x: 1.0, y: 0.0, dot_x: 0.0 };
     for method in [Method::Rk4 { step: 0.01 }, Method::DormandPrince, Method::Dop853] {
-        let error = bead.simulate(start).method(method).until(3.0).unwrap_err().error;
+        let run = bead.simulate(start).charts(Charts::Stay).method(method).until(3.0);
+        let error = run.unwrap_err().error;
         match error {
             Error::ChartSingularity { guard: "cos(w*t)", time, .. } => assert!((time - 1.57).abs() < 0.3, "{time}"),
             other => panic!("{method:?}: {other:?}"),
@@ -63,7 +66,8 @@ fn fixed_steps_judge_the_guards_of_every_stage() {
     let bead = Bead { m: 1.5, w: 1.0, g: 0.0 }.prepare().unwrap();
     let start = BeadState { x: 1.0, y: 0.0, dot_x: 0.0 };
     let step = 1.6 * std::f64::consts::PI;
-    let interrupted = bead.simulate(start).method(Method::Rk4 { step }).until(step).unwrap_err();
+    let run = bead.simulate(start).charts(Charts::Stay).method(Method::Rk4 { step }).until(step);
+    let interrupted = run.unwrap_err();
     match interrupted.error {
         Error::ChartSingularity { guard: "cos(w*t)", time, value } => {
             assert!(time == 0.5 * step && value < 0.0, "{value} at {time}")

@@ -51,7 +51,7 @@ pub fn known(declarations: &Declarations) -> Known {
         state.extend(text(&configuration.further));
     }
     let state_coordinates = state.len();
-    match (&declarations.complement, &declarations.independent) {
+    match (&declarations.complement, declarations.independent.first()) {
         (Some(complement), _) => state.extend(complement.rows.iter().map(|row| row.name.to_string())),
         (None, Some(independent)) => state.extend(independent.entries.iter().map(|entry| match entry {
             Quantity::Name(name) => name.to_string(),
@@ -63,6 +63,10 @@ pub fn known(declarations: &Declarations) -> Known {
         }
         (None, None) => state.extend(velocities.clone()),
     }
+    let carriers = match &declarations.configuration {
+        Some(_) => state[..state_coordinates].iter().map(|q| rate(q)).collect(),
+        None => velocities.clone(),
+    };
     let mut seen = std::collections::BTreeSet::new();
     state.retain(|name| seen.insert(name.clone()));
     let scalars = declarations.fields.iter().filter(|field| field.scalar);
@@ -79,5 +83,8 @@ pub fn known(declarations: &Declarations) -> Known {
         rows: declarations.constraints.len(),
         velocity_rows: 0,
         position_rows: 0,
+        carriers,
+        charts: 1,
+        chart_guards: 0,
     }
 }

@@ -1,31 +1,62 @@
-//! The emitted chart as a flow: its points are the model's states.
+//! An emitted chart as a flow: its points are states whose speeds are those of the chart.
 
+use super::charts::{Chart, Quality, STEEP};
 use super::flow::Flow;
-use super::guards::Watch;
+use super::guards::{Watch, figures, widen};
 use super::inputs::InputSource;
-use super::trajectory::StateArray;
+use super::trajectory::{Residuals, view};
 use crate::assemble::first_non_finite;
+use crate::carriers::StateArray;
+use crate::drift::Drift;
 use crate::manifold::Manifold;
 use crate::{ConstrainedSystem, Error, Prepared, Vector};
 
-/// A model with its inputs, its guards and its way back onto the constraints.
+/// Where no pivot of the chart has lost more than this factor, the chart is not judged.
+const WATCHED: f64 = 0.5;
+
+/// An error estimate counts at most so much more near the zero of a pivot.
+const STRICTEST: f64 = 10.0;
+
+/// A model in one of its charts, with its inputs, its guards and its way back onto the constraints.
 pub(super) struct Emitted<'r, M: ConstrainedSystem, I> {
     pub(super) model: &'r Prepared<M>,
+    pub(super) chart: usize,
     pub(super) source: &'r mut I,
-    pub(super) watch: &'r mut Watch<M>,
+    pub(super) watch: Watch<M>,
     pub(super) manifold: Option<&'r mut Manifold<M>>,
+    pub(super) drift: Option<Drift<M>>,
+    /// With the charts that the run may change to.
+    pub(super) quality: Option<&'r Quality<M>>,
+}
+
+impl<M: ConstrainedSystem, I: InputSource<M>> Emitted<'_, M, I> {
+    /// The rate in a chart other than that of the state.
+    #[inline(never)]
+    fn further(&mut self, t: f64, y: &StateArray<M>) -> (StateArray<M>, M::ChartGuards<f64>) {
+        let inputs = self.inputs(t, y);
+        let (rate, guards) = M::chart_derivative(self.chart, self.model.values(), t, &(*y).into(), &inputs);
+        (rate.into(), guards)
+    }
+
+    fn inputs(&mut self, t: f64, y: &StateArray<M>) -> M::Inputs<f64> {
+        let s = if I::GIVEN { self.view(t, y).0 } else { (*y).into() };
+        self.source.inputs(t, &s)
+    }
 }
 
 impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for Emitted<'_, M, I> {
     type Point = StateArray<M>;
-    type Guards = M::Guards<f64>;
+    type Guards = M::ChartGuards<f64>;
 
     #[inline(always)]
     fn rate(&mut self, t: f64, y: &Self::Point) -> (Self::Point, Self::Guards) {
+        if M::MODEL.charts.len() > 1 && self.chart > 0 {
+            return self.further(t, y);
+        }
         let s = (*y).into();
         let inputs = self.source.inputs(t, &s);
         let (rate, guards) = M::derivative(self.model.values(), t, &s, &inputs);
-        (rate.into(), guards)
+        (rate.into(), widen::<M, f64>(guards))
     }
 
     fn judge_stage(&self, t: f64, guards: &Self::Guards) -> Result<(), Error> {
@@ -37,28 +68,63 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for Emitted<'_, M, I> {
     }
 
     fn restore(&mut self, t: f64, y: &mut Self::Point) -> Result<bool, Error> {
-        let Some(manifold) = &mut self.manifold else {
-            return Ok(false);
-        };
-        let mut s = (*y).into();
-        let moved = manifold.restore(self.model, t, &mut s)?;
-        if moved {
-            *y = s.into();
+        let mut moved = false;
+        if let Some(manifold) = &mut self.manifold {
+            let mut s = (*y).into();
+            moved = manifold.restore(self.model, t, &mut s)?;
+            if moved {
+                *y = s.into();
+            }
+        }
+        if let Some(drift) = &mut self.drift {
+            let s = (*y).into();
+            moved |= drift.restore(self.model, t, &s, &mut y.as_mut()[M::MODEL.state_coordinates.len()..])?;
         }
         Ok(moved)
     }
 
-    fn view(&self, _: f64, y: &Self::Point) -> M::State<f64> {
-        (*y).into()
+    fn residuals(&self) -> Residuals {
+        Residuals {
+            position: self.manifold.as_ref().map_or(0.0, |manifold| manifold.last),
+            velocity: self.drift.as_ref().map_or(0.0, |drift| drift.last),
+        }
+    }
+
+    fn view(&self, t: f64, y: &Self::Point) -> (M::State<f64>, M::Velocities<f64>) {
+        let s = (*y).into();
+        match self.chart {
+            0 => (s, self.model.velocities(t, &s)),
+            chart => {
+                let v = self.model.chart_velocities(chart, t, &s);
+                (view(self.model, t, &s, &v), v)
+            }
+        }
+    }
+
+    fn chart(&self) -> Chart {
+        Chart::Emitted(self.chart)
+    }
+
+    fn leaves(&mut self, t: f64, y: &Self::Point, guards: &Self::Guards) -> bool {
+        let Some(quality) = self.quality else {
+            return false;
+        };
+        self.watch.margin((*guards).into().as_ref()) < WATCHED
+            && quality.steepness(self.model, self.chart, t, &(*y).into()) > STEEP
+    }
+
+    /// The estimates are made of lower orders than the step's own error, which grows faster towards the zero of a pivot.
+    fn strictness(&self, guards: &Self::Guards) -> f64 {
+        let margin = self.watch.margin((*guards).into().as_ref());
+        (1.0 / (margin * margin)).min(STRICTEST)
     }
 
     fn diagnose(&mut self, (t, next): (f64, f64), y: &Self::Point, broken: &Self::Point) -> Error {
         if let Some(error) = self.suspect(t, y) {
             return error;
         }
-        let s = (*y).into();
         for at in [t, next] {
-            if let Err(error) = check_inputs::<M>(&self.source.inputs(at, &s)) {
+            if let Err(error) = check_inputs::<M>(&self.inputs(at, y)) {
                 return error;
             }
         }
@@ -66,7 +132,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for Emitted<'_, M, I> {
     }
 
     fn suspect(&mut self, t: f64, y: &Self::Point) -> Option<Error> {
-        self.watch.suspect(t, self.model.guards(t, &(*y).into()).into().as_ref())
+        self.watch.suspect(t, figures(self.model, self.chart, t, &(*y).into()).into().as_ref())
     }
 }
 

@@ -1,5 +1,7 @@
 //! What a run integrates: a rate over points of a fixed dimension, whatever coordinates these points are.
 
+use super::charts::Chart;
+use super::trajectory::Residuals;
 use crate::{ConstrainedSystem, Error};
 
 /// A point y of a flow: the state of an emitted chart, or the coordinates and carriers of the general chart.
@@ -50,8 +52,20 @@ pub(super) trait Flow<M: ConstrainedSystem> {
     /// Brings a point back onto the constraints, and tells whether it was moved.
     fn restore(&mut self, t: f64, y: &mut Self::Point) -> Result<bool, Error>;
 
-    /// The state that the point stands for.
-    fn view(&self, t: f64, y: &Self::Point) -> M::State<f64>;
+    /// What remained of the constraints at the last point that was restored.
+    fn residuals(&self) -> Residuals;
+
+    /// The state that the point stands for, in the speeds of the first chart, and v.
+    fn view(&self, t: f64, y: &Self::Point) -> (M::State<f64>, M::Velocities<f64>);
+
+    /// The chart of these points.
+    fn chart(&self) -> Chart;
+
+    /// Whether the run is to go on in another chart.
+    fn leaves(&mut self, t: f64, y: &Self::Point, guards: &Self::Guards) -> bool;
+
+    /// The factor by which an error estimate counts more than it tells: near a pole of the rate it tells too little.
+    fn strictness(&self, guards: &Self::Guards) -> f64;
 
     /// Why the run broke down between a regular point and a later time.
     fn diagnose(&mut self, times: (f64, f64), y: &Self::Point, broken: &Self::Point) -> Error;

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 
 use crate::manifold::lift;
 use crate::vector::convert;
-use crate::{ConstrainedSystem, Dual, Error, GuardKind, Prepared, Vector};
+use crate::{ConstrainedSystem, Dual, Error, GuardInfo, GuardKind, Prepared, Scalar, Vector};
 
 /// A guard counts as vanished below this fraction of the largest magnitude that it had in the run.
 ///
@@ -18,8 +18,34 @@ const SUSPECT: f64 = 1e-3;
 /// Coordinates of other kinds count with this weight in a guard's size at the start.
 const OTHERS: f64 = 1e-4;
 
+/// The figures of a chart's guards in a state whose speeds are those of the chart.
+pub(super) fn figures<M: ConstrainedSystem, T: Scalar>(
+    model: &Prepared<M, T>,
+    chart: usize,
+    t: T,
+    s: &M::State<T>,
+) -> M::ChartGuards<T> {
+    match chart {
+        0 => widen::<M, T>(M::guards(model.values(), t, s)),
+        _ => M::chart_derivative(chart, model.values(), t, s, &M::Inputs::from_fn(|_| T::default())).1,
+    }
+}
+
+/// The guards of the first chart, filled up with ones to the length of the longest list.
+#[inline(always)]
+pub(super) fn widen<M: ConstrainedSystem, T: Scalar>(guards: M::Guards<T>) -> M::ChartGuards<T> {
+    let array: <M::Guards<T> as Vector<T>>::Array = guards.into();
+    Vector::from_fn(|i| array.as_ref().get(i).copied().unwrap_or(T::from_f64(1.0)))
+}
+
+/// Whether a guard is one of the chart alone: a pivot of constraints, for which other independent speeds would do.
+pub(super) fn of_chart(info: &GuardInfo) -> bool {
+    info.kind == GuardKind::Pivot && !info.rows.is_empty()
+}
+
 /// Watches the guards along a run.
 pub(super) struct Watch<M> {
+    infos: &'static [GuardInfo],
     largest: Vec<f64>,
     negative: Vec<bool>,
     model: PhantomData<M>,
@@ -30,22 +56,30 @@ impl<M: ConstrainedSystem> Watch<M> {
     ///
     /// A guard alone does not tell whether it is small. At the start it is compared with how much it changes over the state's
     /// coordinates and the time, so that cos θ at θ = π/2 counts as zero although rounding leaves 6e-17.
-    pub(super) fn new(model: &Prepared<M>, t: f64, s: &M::State<f64>) -> Result<Self, Error> {
-        let array = model.guards(t, s).into();
-        let guards: &[f64] = array.as_ref();
+    pub(super) fn new(model: &Prepared<M>, chart: usize, t: f64, s: &M::State<f64>) -> Result<Self, Error> {
+        let watch = Self::unjudged(model, chart, t, s)?;
+        watch.check(t, figures(model, chart, t, s).into().as_ref())?;
+        Ok(watch)
+    }
+
+    /// The same for a chart in which the run is not: only the guards that all charts share count.
+    pub(super) fn unjudged(model: &Prepared<M>, chart: usize, t: f64, s: &M::State<f64>) -> Result<Self, Error> {
+        let infos = M::MODEL.charts.get(chart).map_or(M::MODEL.guards, |chart| chart.guards);
+        let array = figures(model, chart, t, s).into();
+        let guards: &[f64] = &array.as_ref()[..infos.len()];
         let mut largest = guards.iter().map(|guard| guard.abs()).collect::<Vec<_>>();
         let dual = lift(model)?;
         let state: <M::State<f64> as Vector<f64>>::Array = (*s).into();
         let columns = M::MODEL.state_coordinates.len();
         let coordinates = &state.as_ref()[..columns.min(state.as_ref().len())];
         let reach = coordinates.iter().fold(0.0, |reach: f64, q| reach.max(q.abs()));
-        let in_time = dual.guards(Dual::variable(t), &convert(s, |_, value| Dual::constant(value)));
+        let in_time = figures(&dual, chart, Dual::variable(t), &convert(s, |_, value| Dual::constant(value)));
         let in_time = in_time.into();
-        let change = in_time.as_ref().iter().map(|guard| (guard.derivative * t).abs());
+        let change = in_time.as_ref()[..infos.len()].iter().map(|guard| (guard.derivative * t).abs());
         let mut sums = change.collect::<Vec<f64>>();
         for (j, q) in coordinates.iter().enumerate() {
             let seeded = convert(s, |i, value| Dual::new(value, if i == j { 1.0 } else { 0.0 }));
-            let array = dual.guards(Dual::constant(t), &seeded).into();
+            let array = figures(&dual, chart, Dual::constant(t), &seeded).into();
             for (sum, guard) in sums.iter_mut().zip(array.as_ref()) {
                 *sum += guard.derivative.abs() * q.abs().max(OTHERS * reach);
             }
@@ -56,15 +90,13 @@ impl<M: ConstrainedSystem> Watch<M> {
             }
         }
         let negative = guards.iter().map(|guard| *guard < 0.0).collect();
-        let mut watch = Watch { largest, negative, model: PhantomData };
-        watch.judge(t, guards)?;
-        Ok(watch)
+        Ok(Watch { infos, largest, negative, model: PhantomData })
     }
 
     /// Magnitude, change of sign and finiteness of the guards of a state.
     pub(super) fn check(&self, time: f64, guards: &[f64]) -> Result<(), Error> {
         let watched = self.largest.iter().zip(&self.negative);
-        for ((info, &value), (largest, negative)) in M::MODEL.guards.iter().zip(guards).zip(watched) {
+        for ((info, &value), (largest, negative)) in self.infos.iter().zip(guards).zip(watched) {
             // Also true where the guard is not a number.
             let vanished = !(value.abs() > SINGULAR * *largest && value.is_finite());
             match info.kind {
@@ -81,7 +113,20 @@ impl<M: ConstrainedSystem> Watch<M> {
         Ok(())
     }
 
-    /// The same for a state that is accepted; the largest magnitudes grow with it.
+    /// The same for a run that is not in this chart: the pivots of the kinematics, which all charts share.
+    pub(super) fn check_shared(&self, time: f64, guards: &[f64]) -> Result<(), Error> {
+        let watched = self.largest.iter().zip(&self.negative);
+        for ((info, &value), (largest, negative)) in self.infos.iter().zip(guards).zip(watched) {
+            // Where the chart breaks down, its other figures need not be finite.
+            let shared = info.kind == GuardKind::Pivot && !of_chart(info) && value.is_finite();
+            if shared && (value.abs() <= SINGULAR * *largest || (value < 0.0) != *negative) {
+                return Err(Error::ChartSingularity { guard: info.name, value, time });
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks a state that is accepted; the largest magnitudes grow with it.
     pub(super) fn judge(&mut self, time: f64, guards: &[f64]) -> Result<(), Error> {
         self.check(time, guards)?;
         for (largest, value) in self.largest.iter_mut().zip(guards) {
@@ -92,15 +137,30 @@ impl<M: ConstrainedSystem> Watch<M> {
 
     /// The guard that has come nearest to zero, if it is near enough to be the reason for a breakdown.
     pub(super) fn suspect(&self, time: f64, guards: &[f64]) -> Option<Error> {
+        self.nearest(time, guards, |_| true)
+    }
+
+    /// The same among the pivots of the kinematics.
+    pub(super) fn suspect_shared(&self, time: f64, guards: &[f64]) -> Option<Error> {
+        self.nearest(time, guards, |info| info.kind == GuardKind::Pivot && !of_chart(info))
+    }
+
+    fn nearest(&self, time: f64, guards: &[f64], counts: impl Fn(&GuardInfo) -> bool) -> Option<Error> {
         let mut smallest = SUSPECT;
         let mut found = None;
-        for ((info, &value), largest) in M::MODEL.guards.iter().zip(guards).zip(&self.largest) {
+        for ((info, &value), largest) in self.infos.iter().zip(guards).zip(&self.largest) {
             let ratio = value.abs() / largest;
-            if ratio < smallest {
+            if ratio < smallest && counts(info) {
                 smallest = ratio;
                 found = Some(Error::ChartSingularity { guard: info.name, value, time });
             }
         }
         found
+    }
+
+    /// The smallest figure of the chart's own guards relative to the largest that it had; one, where there is none.
+    pub(super) fn margin(&self, guards: &[f64]) -> f64 {
+        let own = self.infos.iter().zip(guards).zip(&self.largest).filter(|((info, _), _)| of_chart(info));
+        own.fold(1.0, |least: f64, ((_, value), largest)| least.min(value.abs() / largest))
     }
 }

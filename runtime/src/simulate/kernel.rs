@@ -74,6 +74,15 @@ impl Plan {
     }
 }
 
+/// Why a flow was left without an error.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(super) enum Exit {
+    /// The end of the plan.
+    End,
+    /// Another chart is better.
+    Leaves,
+}
+
 /// A run on its way: what is carried over from one flow to the next.
 pub(super) struct Run<'r, 'a, M: ConstrainedSystem, const S: usize> {
     pub(super) tableau: &'static Tableau<S>,
@@ -100,9 +109,10 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
         Run { tableau, plan, trajectory, progress, t, controller, size: None, outputs: 0, told: 0.0 }
     }
 
-    /// Takes the steps to the end of the plan. `y` is the last accepted point, also when it ends with an error.
+    /// Takes the steps to the end of the plan, or until the chart is to be changed. `y` is the last accepted point, also when it
+    /// ends with an error.
     #[inline(never)]
-    pub(super) fn steps<F: Flow<M>>(&mut self, flow: &mut F, y: &mut F::Point) -> Result<(), Error> {
+    pub(super) fn steps<F: Flow<M>>(&mut self, flow: &mut F, y: &mut F::Point) -> Result<Exit, Error> {
         let (tableau, plan) = (self.tableau, self.plan);
         let last = tableau.stages - 1;
         let fixed = matches!(plan.pace, Pace::Fixed { .. });
@@ -132,7 +142,9 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
             match plan.pace {
                 Pace::Adaptive { tolerance, longest } => {
                     let error = match regular {
-                        true => tolerance.error(tableau, h, &k, y, &ahead),
+                        true => {
+                            tolerance.error(tableau, h, &k, y, &ahead) * guards.map_or(1.0, |g| flow.strictness(&g))
+                        }
                         false => f64::INFINITY,
                     };
                     if error > 1.0 || error.is_nan() {
@@ -169,7 +181,7 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
                 flow.judge(next, guards)?;
             }
 
-            self.trajectory.statistics.accepted += 1;
+            self.trajectory.accept(flow.chart(), flow.residuals());
             let base = *y;
             (self.t, *y) = (next, ahead);
             self.size = Some(size);
@@ -182,11 +194,15 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
             let kept = plan.output_at(self.outputs, next, h);
             self.outputs += usize::from(kept);
             if kept || next == plan.end {
-                self.trajectory.push(next, flow.view(next, y));
+                let (s, v) = flow.view(next, y);
+                self.trajectory.push(next, s, v);
             }
             self.tell(next);
+            if next != plan.end && guards.is_some_and(|guards| flow.leaves(next, y, &guards)) {
+                return Ok(Exit::Leaves);
+            }
         }
-        Ok(())
+        Ok(Exit::End)
     }
 
     /// Keeps the polynomials of a step, and the outputs that lie within it.
@@ -198,7 +214,7 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
     ) -> Result<(), Error> {
         let h = next - from;
         if self.plan.dense {
-            self.trajectory.push_step(from, h, coefficients);
+            self.trajectory.push_step((from, h), flow.chart(), coefficients);
         }
         while let Some(at) = self.plan.output_within(self.outputs, next, h) {
             self.outputs += 1;
@@ -207,7 +223,8 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
                 *point.get_mut(i) = interpolate(coefficients.len(), (at - from) / h, |j| coefficients[j].get(i));
             }
             flow.restore(at, &mut point)?;
-            self.trajectory.push(at, flow.view(at, &point));
+            let (s, v) = flow.view(at, &point);
+            self.trajectory.push(at, s, v);
         }
         Ok(())
     }

@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
+use super::charts::Charts;
 use super::course::Course;
-use super::guards::Watch;
 use super::kernel::{Pace, Plan};
 use super::tableau::{DORMAND_PRINCE, Estimate, RK4, Tableau};
 use super::trajectory::Trajectory;
@@ -22,12 +22,13 @@ fn model() -> Prepared<Oscillator> {
 fn run<const S: usize>(tableau: &'static Tableau<S>, pace: Pace) -> Trajectory<Oscillator> {
     let model = model();
     let start = OscillatorState { x: 0.8, dot_x: -0.3 };
-    let mut trajectory = Trajectory::new(0.0, start);
+    let mut trajectory = Trajectory::new(&model, 0.0, start, model.velocities(0.0, &start));
     let course = Course {
         model: &model,
         source: |t: f64, s: &OscillatorState| OscillatorInputs { tau: 0.3 * (3.0 * t).cos() - 0.1 * s.dot_x },
-        watch: Watch::new(&model, 0.0, &start).unwrap(),
         manifold: None,
+        charts: Charts::Change,
+        baumgarte: None,
         progress: None,
     };
     let plan = Plan { start: 0.0, end: END, pace, every: None, dense: true, max_steps: 1_000_000 };

@@ -4,12 +4,17 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::fmt;
 
+use super::charts::Chart;
+use super::equations::Equations;
 use super::flow::Point;
 use super::stages::interpolate;
-use crate::{ConstrainedSystem, Error, Vector};
+use crate::carriers::{Carriers, with_speeds};
+use crate::manifold::{ratio, term_sizes};
+use crate::vector::entry;
+use crate::{ConstrainedSystem, Error, Prepared, Vector};
 
-/// The array behind a model's state.
-pub(super) type StateArray<M> = <<M as ConstrainedSystem>::State<f64> as Vector<f64>>::Array;
+/// A state, of which the coordinates count, and v.
+pub(super) type Standing<M> = (<M as ConstrainedSystem>::State<f64>, <M as ConstrainedSystem>::Velocities<f64>);
 
 /// The states of a run in their order, and the polynomials between them.
 ///
@@ -29,14 +34,28 @@ pub(super) type StateArray<M> = <<M as ConstrainedSystem>::State<f64> as Vector<
 /// # Ok::<(), Error>(())
 /// ```
 pub struct Trajectory<M: ConstrainedSystem> {
+    model: Prepared<M>,
     times: Vec<f64>,
     states: Vec<M::State<f64>>,
-    /// Start and length of every step, in the direction of the run.
-    steps: Vec<(f64, f64)>,
-    /// For every step `stride` points, entry by entry.
+    velocities: Vec<M::Velocities<f64>>,
+    steps: Vec<Step>,
+    /// For every step `stride` points of its chart, entry by entry.
     coefficients: Vec<f64>,
     stride: usize,
+    residuals: Residuals,
+    counts: Vec<(Chart, usize)>,
     pub(super) statistics: Statistics,
+}
+
+/// A step with dense output.
+#[derive(Copy, Clone)]
+struct Step {
+    start: f64,
+    /// With the sign of the direction of the run.
+    length: f64,
+    chart: Chart,
+    /// Where its coefficients begin.
+    first: usize,
 }
 
 /// What a run took.
@@ -47,33 +66,75 @@ pub struct Statistics {
     pub accepted: usize,
     /// Steps that were tried and repeated with a smaller size.
     pub rejected: usize,
-    /// Evaluations of `derivative`.
+    /// Evaluations of `derivative`, or of the general form.
     pub evaluations: usize,
+    /// How often the run went over to another chart.
+    pub chart_changes: usize,
+}
+
+/// How well the constraints are satisfied: the largest |f| and |φ| (or |ḟ|), each relative to the size of its terms.
+#[derive(Copy, Clone, Debug, Default, PartialEq)]
+pub struct Residuals {
+    /// Of the position constraints.
+    pub position: f64,
+    /// Of the velocity constraints, derivatives of position constraints included.
+    pub velocity: f64,
+}
+
+/// The state of coordinates and velocities, in the speeds of the first chart; of `s` the coordinates are read.
+pub(super) fn view<M: ConstrainedSystem>(
+    model: &Prepared<M>,
+    t: f64,
+    s: &M::State<f64>,
+    v: &M::Velocities<f64>,
+) -> M::State<f64> {
+    with_speeds::<M, f64>(s, entry(&model.chart_speeds(0, t, s, v)))
 }
 
 impl<M: ConstrainedSystem> Trajectory<M> {
-    pub(super) fn new(t: f64, s: M::State<f64>) -> Self {
+    pub(super) fn new(model: &Prepared<M>, t: f64, s: M::State<f64>, v: M::Velocities<f64>) -> Self {
         Trajectory {
+            model: model.clone(),
             times: alloc::vec![t],
             states: alloc::vec![s],
+            velocities: alloc::vec![v],
             steps: Vec::new(),
             coefficients: Vec::new(),
             stride: 0,
+            residuals: Residuals::default(),
+            counts: Vec::new(),
             statistics: Statistics::default(),
         }
     }
 
-    pub(super) fn push(&mut self, t: f64, s: M::State<f64>) {
+    pub(super) fn push(&mut self, t: f64, s: M::State<f64>, v: M::Velocities<f64>) {
         self.times.push(t);
         self.states.push(s);
+        self.velocities.push(v);
     }
 
-    pub(super) fn push_step<P: Point>(&mut self, t: f64, h: f64, coefficients: &[P]) {
+    pub(super) fn push_step<P: Point>(&mut self, (start, length): (f64, f64), chart: Chart, coefficients: &[P]) {
         self.stride = coefficients.len();
-        self.steps.push((t, h));
+        self.steps.push(Step { start, length, chart, first: self.coefficients.len() });
         for point in coefficients {
             self.coefficients.extend((0..point.len()).map(|i| point.get(i)));
         }
+    }
+
+    /// Counts an accepted step, and what remained of the constraints at its end.
+    pub(super) fn accept(&mut self, chart: Chart, residuals: Residuals) {
+        self.statistics.accepted += 1;
+        self.residuals.position = self.residuals.position.max(residuals.position);
+        self.residuals.velocity = self.residuals.velocity.max(residuals.velocity);
+        match self.counts.iter_mut().find(|(known, _)| *known == chart) {
+            Some((_, count)) => *count += 1,
+            None => self.counts.push((chart, 1)),
+        }
+    }
+
+    pub(super) fn last_velocities(&self) -> &M::Velocities<f64> {
+        // As long as the times, and never empty.
+        &self.velocities[self.velocities.len() - 1]
     }
 
     /// The times of the states: every step, or what `every` asked for, and always the start and the end.
@@ -103,10 +164,91 @@ impl<M: ConstrainedSystem> Trajectory<M> {
         self.statistics
     }
 
+    /// The charts in which the run took steps, with the number of steps, in the order in which it first entered them.
+    pub fn charts(&self) -> &[(Chart, usize)] {
+        &self.counts
+    }
+
+    /// v at the [`times`](Trajectory::times): all velocities, also where the speeds of the state do not determine them.
+    ///
+    /// ```
+    /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+    /// # use models::{Pendulum, PendulumState};
+    /// use holonomy::prelude::*;
+    ///
+    /// // Over the top, and through the places where ẋ says nothing about ẏ.
+    /// let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
+    /// let run = pendulum.simulate(PendulumState { x: 0.0, y: -0.5, dot_x: 5.5 }).until(2.0)?;
+    /// for ((_, s), v) in run.iter().zip(run.velocities()) {
+    ///     let energy = v.dot_x * v.dot_x + v.dot_y * v.dot_y + 2.0 * 9.81 * s.y;
+    ///     assert!((energy - (5.5 * 5.5 - 9.81)).abs() < 1e-6);
+    /// }
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn velocities(&self) -> &[M::Velocities<f64>] {
+        &self.velocities
+    }
+
     /// The state at any time of the run, by the dense output of the method, which is as accurate as its steps.
     ///
     /// Position constraints hold there to the accuracy of the run, and to rounding at [`times`](Trajectory::times).
     pub fn at(&self, t: f64) -> Result<M::State<f64>, Error> {
+        Ok(self.standing(t)?.0)
+    }
+
+    /// v at any time of the run; see [`at`](Trajectory::at).
+    pub fn velocities_at(&self, t: f64) -> Result<M::Velocities<f64>, Error> {
+        Ok(self.standing(t)?.1)
+    }
+
+    /// λ at any time of the run, by the general form (3.5), (3.6), so that no chart matters.
+    ///
+    /// ```
+    /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+    /// # use models::{Pendulum, PendulumState};
+    /// use holonomy::prelude::*;
+    ///
+    /// let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
+    /// let run = pendulum.simulate(PendulumState { x: 0.3, y: -0.4, dot_x: 0.0 }).until(1.0)?;
+    /// let here = pendulum.multipliers(0.7, &run.at(0.7)?, &[]).rod;
+    /// assert!((run.multipliers_at(0.7, &[])?.rod - here).abs() < 1e-9);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn multipliers_at(&self, t: f64, inputs: &M::Inputs<f64>) -> Result<M::Multipliers<f64>, Error> {
+        let (s, v) = self.standing(t)?;
+        Equations::new(&self.model)?.multipliers(&self.model, t, &s, &v, inputs)
+    }
+
+    /// How well the state at one of the [`times`](Trajectory::times) satisfies the constraints.
+    ///
+    /// ```
+    /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+    /// # use models::{Pendulum, PendulumState};
+    /// use holonomy::prelude::*;
+    ///
+    /// let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
+    /// let run = pendulum.simulate(PendulumState { x: 0.3, y: -0.4, dot_x: 0.0 }).until(1.0)?;
+    /// assert!(run.residuals(3).position < 1e-14 && run.residuals(3).velocity < 1e-14);
+    /// assert!(run.largest_residuals().position < 1e-14);     // at the end of any step
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// If there are not so many times.
+    pub fn residuals(&self, index: usize) -> Residuals {
+        let (t, s, v) = (self.times[index], &self.states[index], &self.velocities[index]);
+        Residuals::at(&self.model, t, s, v).unwrap_or(Residuals { position: f64::NAN, velocity: f64::NAN })
+    }
+
+    /// The largest residuals at the end of any step, kept or not, of the constraints that steps may leave: zero where the
+    /// coordinates and speeds of the state satisfy all constraints by construction.
+    pub fn largest_residuals(&self) -> Residuals {
+        self.residuals
+    }
+
+    /// State and velocities at any time of the run.
+    fn standing(&self, t: f64) -> Result<Standing<M>, Error> {
         let (from, (to, end)) = (self.times[0], self.last());
         let direction = if to < from { -1.0 } else { 1.0 };
         // Also true where the time is not a number.
@@ -114,35 +256,72 @@ impl<M: ConstrainedSystem> Trajectory<M> {
             return Err(Error::OutOfRange { time: t, from, to });
         }
         if t == to {
-            return Ok(*end);
+            return Ok((*end, *self.last_velocities()));
         }
         let before = |start: f64| (t - start) * direction >= 0.0;
         let stored = self.times.partition_point(|time| before(*time)).saturating_sub(1);
         if self.times[stored] == t {
-            return Ok(self.states[stored]);
+            return Ok((self.states[stored], self.velocities[stored]));
         }
-        match self.steps.partition_point(|(start, _)| before(*start)) {
+        match self.steps.partition_point(|step| before(step.start)) {
             0 => Err(Error::NoDenseOutput { time: t }),
-            after => {
-                let (start, h) = self.steps[after - 1];
-                let count = self.stride;
-                let length = self.coefficients.len() / (self.steps.len() * count);
-                let coefficients = &self.coefficients[(after - 1) * count * length..after * count * length];
-                let entry = |i: usize| interpolate(count, (t - start) / h, |j| coefficients[j * length + i]);
-                Ok(M::State::from_fn(entry))
-            }
+            after => Ok(self.within(&self.steps[after - 1], t)),
         }
+    }
+
+    /// State and velocities within a step.
+    fn within(&self, step: &Step, t: f64) -> Standing<M> {
+        let carriers = match step.chart {
+            Chart::Emitted(chart) => Carriers::Chart(chart),
+            Chart::General => Carriers::General,
+        };
+        let first = M::MODEL.state_coordinates.len();
+        let length = first + carriers.count::<M>();
+        let coefficients = &self.coefficients[step.first..step.first + self.stride * length];
+        let theta = (t - step.start) / step.length;
+        let entry = |i: usize| interpolate(self.stride, theta, |j| coefficients[j * length + i]);
+        let s = M::State::from_fn(|i| if i < length { entry(i) } else { 0.0 });
+        let v = carriers.velocities(&self.model, t, &s, |i| entry(first + i));
+        match step.chart {
+            Chart::Emitted(0) => (s, v),
+            _ => (view(&self.model, t, &s, &v), v),
+        }
+    }
+}
+
+impl Residuals {
+    /// At coordinates of a state and velocities.
+    pub(super) fn at<M: ConstrainedSystem>(
+        model: &Prepared<M>,
+        t: f64,
+        s: &M::State<f64>,
+        v: &M::Velocities<f64>,
+    ) -> Result<Self, Error> {
+        let x = model.coordinates(t, s);
+        let f = model.position_residual(t, &x).into();
+        let sizes = term_sizes(model, t, &x, v, &|model, t, x, _| model.position_residual(t, x))?;
+        let largest = |residuals: &[f64], sizes: &[f64]| {
+            residuals.iter().zip(sizes).map(|(residual, size)| ratio(*residual, *size)).fold(0.0, f64::max)
+        };
+        let position = largest(f.as_ref(), &sizes);
+        let phi = model.velocity_residual(t, &x, v).into();
+        let sizes = term_sizes(model, t, &x, v, &|model, t, x, v| model.velocity_residual(t, x, v))?;
+        Ok(Residuals { position, velocity: largest(phi.as_ref(), &sizes) })
     }
 }
 
 impl<M: ConstrainedSystem> Clone for Trajectory<M> {
     fn clone(&self) -> Self {
         Trajectory {
+            model: self.model.clone(),
             times: self.times.clone(),
             states: self.states.clone(),
+            velocities: self.velocities.clone(),
             steps: self.steps.clone(),
             coefficients: self.coefficients.clone(),
             stride: self.stride,
+            residuals: self.residuals,
+            counts: self.counts.clone(),
             statistics: self.statistics,
         }
     }
@@ -165,10 +344,12 @@ impl<M: ConstrainedSystem> fmt::Debug for Trajectory<M> {
 /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
 /// # use models::{Pendulum, PendulumState};
 /// use holonomy::prelude::*;
+/// use holonomy::simulate::Charts;
 ///
-/// // The speed ẋ does not describe the pendulum where the rod is level.
+/// // The speed ẋ does not describe the pendulum where the rod is level, and the run is told to stay with it.
 /// let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
-/// let interrupted = pendulum.simulate(PendulumState { x: 0.0, y: -0.5, dot_x: 4.0 }).until(10.0).unwrap_err();
+/// let start = PendulumState { x: 0.0, y: -0.5, dot_x: 4.0 };
+/// let interrupted = pendulum.simulate(start).charts(Charts::Stay).until(10.0).unwrap_err();
 /// assert!(matches!(interrupted.error, Error::ChartSingularity { guard: "y", .. }));
 /// let (t, last) = interrupted.trajectory.last();
 /// assert!(t > 0.1 && last.y < 0.0);

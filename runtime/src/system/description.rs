@@ -41,6 +41,10 @@ pub struct Description {
     pub guards: &'static [GuardInfo],
     /// The figures of the parameters alone that `values` checks.
     pub parameter_guards: &'static [GuardInfo],
+    /// The charts, the state's own first.
+    pub charts: &'static [ChartInfo],
+    /// w, the carriers of the motion: v, or the rates of the state's coordinates where x = g(q, t) is given.
+    pub carriers: &'static [&'static str],
     /// The choices that the derive made, and why.
     pub notes: &'static [&'static str],
     /// The derived equations as text.
@@ -109,6 +113,28 @@ pub struct GuardInfo {
     pub origin: &'static str,
     /// The constraints that it comes from, where it comes from some.
     pub rows: &'static [&'static str],
+}
+
+/// A choice of independent speeds.
+///
+/// A model has a chart for each of its `independent` statements, and one if it has none. All charts have the coordinates of
+/// the state; the entries for the speeds have another meaning in each.
+///
+/// ```
+/// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+/// # use models::Pendulum;
+/// use holonomy::ConstrainedSystem;
+///
+/// let [across, along] = Pendulum::MODEL.charts else { panic!("two charts") };
+/// assert_eq!((across.speeds, along.speeds), (["dot_x"].as_slice(), ["dot_y"].as_slice()));
+/// assert_eq!((across.guards[0].name, along.guards[0].name), ("y", "x"));
+/// ```
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct ChartInfo {
+    /// u of the chart.
+    pub speeds: &'static [&'static str],
+    /// What the chart divides by.
+    pub guards: &'static [GuardInfo],
 }
 
 /// What a guard must satisfy.

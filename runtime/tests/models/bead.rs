@@ -46,6 +46,11 @@ impl ConstrainedSystem for Bead {
         ],
         guards: &[GuardInfo { name: "cos(w*t)", kind: GuardKind::Pivot, origin: "pivot of the row `rod`", rows: &["rod"] }],
         parameter_guards: &[],
+        charts: &[ChartInfo {
+            speeds: &["dot_x"],
+            guards: &[GuardInfo { name: "cos(w*t)", kind: GuardKind::Pivot, origin: "pivot of the row `rod`", rows: &["rod"] }],
+        }],
+        carriers: &["dot_x", "dot_y"],
         notes: &[],
         equations: &[],
         operations: &[],
@@ -59,6 +64,9 @@ impl ConstrainedSystem for Bead {
     type Speeds<T: Scalar> = [T; 1];
     type Reduced<T: Scalar> = [T; 1];
     type Guards<T: Scalar> = [T; 1];
+    type ChartGuards<T: Scalar> = [T; 1];
+    type Carriers<T: Scalar> = [T; 2];
+    type StateCoordinates<T: Scalar> = [T; 2];
     type Rows<T: Scalar> = [T; 1];
     type VelocityRows<T: Scalar> = [T; 1];
     type PositionRows<T: Scalar> = [T; 2];
@@ -161,5 +169,14 @@ impl ConstrainedSystem for Bead {
     }
     fn potential_energy<T: Scalar>(_: &Self::Values<T>, _: T, _: &[T; 2]) -> Option<T> {
         None
+    }
+    fn carried_velocities<T: Scalar>(_: &Self::Values<T>, _: T, _: &BeadState<T>, w: &[T; 2]) -> BeadVelocities<T> {
+        BeadVelocities { dot_x: w[0], dot_y: w[1] }
+    }
+    fn carried_rates<T: Scalar>(_: &Self::Values<T>, _: T, _: &BeadState<T>, w: &[T; 2]) -> [T; 2] {
+        *w
+    }
+    fn chart_speeds<T: Scalar>(_: usize, _: &Self::Values<T>, _: T, _: &BeadState<T>, v: &BeadVelocities<T>) -> [T; 1] {
+        [v.dot_x]
     }
 }

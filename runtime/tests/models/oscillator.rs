@@ -40,6 +40,11 @@ impl ConstrainedSystem for Oscillator {
         multipliers: &[],
         guards: &[GuardInfo { name: "m*(1 + a*x)", kind: GuardKind::Positive, origin: "pivot of M_d", rows: &[] }],
         parameter_guards: &[GuardInfo { name: "m", kind: GuardKind::Pivot, origin: "divided by", rows: &[] }],
+        charts: &[ChartInfo {
+            speeds: &["dot_x"],
+            guards: &[GuardInfo { name: "m*(1 + a*x)", kind: GuardKind::Positive, origin: "pivot of M_d", rows: &[] }],
+        }],
+        carriers: &["dot_x"],
         notes: &[],
         equations: &[],
         operations: &[],
@@ -53,6 +58,9 @@ impl ConstrainedSystem for Oscillator {
     type Speeds<T: Scalar> = [T; 1];
     type Reduced<T: Scalar> = [T; 1];
     type Guards<T: Scalar> = [T; 1];
+    type ChartGuards<T: Scalar> = [T; 1];
+    type Carriers<T: Scalar> = [T; 1];
+    type StateCoordinates<T: Scalar> = [T; 1];
     type Rows<T: Scalar> = [T; 0];
     type VelocityRows<T: Scalar> = [T; 0];
     type PositionRows<T: Scalar> = [T; 0];
@@ -139,5 +147,14 @@ impl ConstrainedSystem for Oscillator {
     fn potential_energy<T: Scalar>(p: &Self::Values<T>, _: T, x: &[T; 1]) -> Option<T> {
         let square = x[0] * x[0];
         Some(T::from_f64(0.5) * p.k * square + T::from_f64(0.25) * p.c * square * square)
+    }
+    fn carried_velocities<T: Scalar>(_: &Self::Values<T>, _: T, _: &OscillatorState<T>, w: &[T; 1]) -> OscillatorVelocities<T> {
+        OscillatorVelocities { dot_x: w[0] }
+    }
+    fn carried_rates<T: Scalar>(_: &Self::Values<T>, _: T, _: &OscillatorState<T>, w: &[T; 1]) -> [T; 1] {
+        *w
+    }
+    fn chart_speeds<T: Scalar>(_: usize, _: &Self::Values<T>, _: T, _: &OscillatorState<T>, v: &OscillatorVelocities<T>) -> [T; 1] {
+        [v.dot_x]
     }
 }

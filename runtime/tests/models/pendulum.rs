@@ -1,9 +1,10 @@
 // A pendulum of mass m on a rod of length l in the coordinates x, y (y upwards), written by hand as the derive would write it.
-// One position row f = (x² + y² − l²)/2; the independent speed is u = ẋ, so D = [1, −x/y] and y is a pivot.
+// One position row f = (x² + y² − l²)/2; the independent speed is u = ẋ, so D = [1, −x/y] and y is a pivot. In a second chart
+// it is u = ẏ, and x is the pivot.
 
 use holonomy::__private::SMatrix;
 use holonomy::{
-    ConstrainedSystem, Description, Error, GuardInfo, GuardKind, Level, MultiplierInfo, RowInfo, Scalar, Vector,
+    ChartInfo, ConstrainedSystem, Description, Error, GuardInfo, GuardKind, Level, MultiplierInfo, RowInfo, Scalar, Vector,
 };
 
 /// A struct of scalars with names, as the derive emits them.
@@ -63,6 +64,17 @@ impl ConstrainedSystem for Pendulum {
         multipliers: &[MultiplierInfo { name: "rod", row: Some(0) }],
         guards: &[GuardInfo { name: "y", kind: GuardKind::Pivot, origin: "pivot of the row `rod`", rows: &["rod"] }],
         parameter_guards: &[GuardInfo { name: "m", kind: GuardKind::Positive, origin: "pivot of M", rows: &[] }],
+        charts: &[
+            ChartInfo {
+                speeds: &["dot_x"],
+                guards: &[GuardInfo { name: "y", kind: GuardKind::Pivot, origin: "pivot of the row `rod`", rows: &["rod"] }],
+            },
+            ChartInfo {
+                speeds: &["dot_y"],
+                guards: &[GuardInfo { name: "x", kind: GuardKind::Pivot, origin: "pivot of the row `rod`", rows: &["rod"] }],
+            },
+        ],
+        carriers: &["dot_x", "dot_y"],
         notes: &["dot_x is independent"],
         equations: &[],
         operations: &[],
@@ -76,6 +88,9 @@ impl ConstrainedSystem for Pendulum {
     type Speeds<T: Scalar> = [T; 1];
     type Reduced<T: Scalar> = [T; 1];
     type Guards<T: Scalar> = [T; 1];
+    type ChartGuards<T: Scalar> = [T; 1];
+    type Carriers<T: Scalar> = [T; 2];
+    type StateCoordinates<T: Scalar> = [T; 2];
     type Rows<T: Scalar> = [T; 1];
     type VelocityRows<T: Scalar> = [T; 1];
     type PositionRows<T: Scalar> = [T; 1];
@@ -167,5 +182,31 @@ impl ConstrainedSystem for Pendulum {
     }
     fn potential_energy<T: Scalar>(p: &Self::Values<T>, _: T, x: &[T; 2]) -> Option<T> {
         Some(p.m * p.g * x[1])
+    }
+    fn carried_velocities<T: Scalar>(_: &Self::Values<T>, _: T, _: &PendulumState<T>, w: &[T; 2]) -> PendulumVelocities<T> {
+        PendulumVelocities { dot_x: w[0], dot_y: w[1] }
+    }
+    fn carried_rates<T: Scalar>(_: &Self::Values<T>, _: T, _: &PendulumState<T>, w: &[T; 2]) -> [T; 2] {
+        *w
+    }
+    fn chart_speeds<T: Scalar>(chart: usize, _: &Self::Values<T>, _: T, _: &PendulumState<T>, v: &PendulumVelocities<T>) -> [T; 1] {
+        [if chart == 1 { v.dot_y } else { v.dot_x }]
+    }
+    fn chart_derivative<T: Scalar>(chart: usize, p: &Self::Values<T>, t: T, s: &PendulumState<T>, i: &[T; 0]) -> (PendulumState<T>, [T; 1]) {
+        if chart != 1 {
+            return Self::derivative(p, t, s, i);
+        }
+        // The same with x and y exchanged: D = [−y/x, 1], a_u = [−v·v/x, 0].
+        let v = Self::chart_velocities(1, p, t, s);
+        let slope = s.y / s.x;
+        let bias = -((v.dot_x * v.dot_x + v.dot_y * v.dot_y) / s.x);
+        let rate = (slope * bias - p.g) / (T::from_f64(1.0) + slope * slope);
+        (PendulumState { x: v.dot_x, y: v.dot_y, dot_x: rate }, [s.x])
+    }
+    fn chart_velocities<T: Scalar>(chart: usize, p: &Self::Values<T>, t: T, s: &PendulumState<T>) -> PendulumVelocities<T> {
+        if chart != 1 {
+            return Self::velocities(p, t, s);
+        }
+        PendulumVelocities { dot_x: -(s.y / s.x * s.dot_x), dot_y: s.dot_x }
     }
 }

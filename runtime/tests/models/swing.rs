@@ -21,6 +21,11 @@ impl ConstrainedSystem for Swing {
         state_speeds: &["dot_alpha"],
         reduced_speeds: &["dot_alpha"],
         guards: &[GuardInfo { name: "m*l*l", kind: GuardKind::Positive, origin: "pivot of M_d", rows: &[] }],
+        charts: &[ChartInfo {
+            speeds: &["dot_alpha"],
+            guards: &[GuardInfo { name: "m*l*l", kind: GuardKind::Positive, origin: "pivot of M_d", rows: &[] }],
+        }],
+        carriers: &["dot_alpha"],
         ..*Pendulum::MODEL
     };
     type State<T: Scalar> = SwingState<T>;
@@ -32,6 +37,9 @@ impl ConstrainedSystem for Swing {
     type Speeds<T: Scalar> = [T; 1];
     type Reduced<T: Scalar> = [T; 1];
     type Guards<T: Scalar> = [T; 1];
+    type ChartGuards<T: Scalar> = [T; 1];
+    type Carriers<T: Scalar> = [T; 1];
+    type StateCoordinates<T: Scalar> = [T; 1];
     type Rows<T: Scalar> = [T; 1];
     type VelocityRows<T: Scalar> = [T; 1];
     type PositionRows<T: Scalar> = [T; 1];
@@ -121,5 +129,15 @@ impl ConstrainedSystem for Swing {
     }
     fn potential_energy<T: Scalar>(p: &Self::Values<T>, t: T, x: &[T; 2]) -> Option<T> {
         Pendulum::potential_energy(p, t, x)
+    }
+    fn carried_velocities<T: Scalar>(p: &Self::Values<T>, t: T, s: &SwingState<T>, w: &[T; 1]) -> PendulumVelocities<T> {
+        Self::velocities(p, t, &SwingState { alpha: s.alpha, dot_alpha: w[0] })
+    }
+    fn carried_rates<T: Scalar>(_: &Self::Values<T>, _: T, _: &SwingState<T>, w: &[T; 1]) -> [T; 1] {
+        *w
+    }
+    fn chart_speeds<T: Scalar>(_: usize, p: &Self::Values<T>, _: T, s: &SwingState<T>, v: &PendulumVelocities<T>) -> [T; 1] {
+        let (sin, cos) = s.alpha.sin_cos();
+        [(cos * v.dot_x + sin * v.dot_y) / p.l]
     }
 }

@@ -129,13 +129,25 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
         };
         quote!(#krate::MultiplierInfo { name: #name, row: #row })
     });
-    let guards = e.guards.iter().map(|g| guard(target, g));
+    let guards: Vec<TokenStream> = e.guards.iter().map(|g| guard(target, g)).collect();
+    let first = chart(target, u, &guards);
+    let charts = e.charts.iter().map(|further| {
+        let speeds: Vec<&str> = further.speeds.iter().map(|s| e.graph.name(*s)).collect();
+        let guards: Vec<TokenStream> = further.guards.iter().map(|g| guard(target, g)).collect();
+        chart(target, &speeds, &guards)
+    });
+    let carriers = &known.carriers;
     let parameter_guards = programs.values.guards.iter().map(|g| guard(target, g));
     let lines = texts
         .lines
         .iter()
         .map(|(_, symbol, source, text)| quote!(#krate::Equation { symbol: #symbol, source: #source, text: #text }));
-    let costs = programs.functions.iter().map(|p| (p.entry.name, &p.count)).chain([("values", &programs.values.count)]);
+    let costs = programs
+        .functions
+        .iter()
+        .chain(&programs.charts)
+        .map(|p| (p.entry.name.as_str(), &p.count))
+        .chain([("values", &programs.values.count)]);
     let costs = costs.map(|(name, count)| cost(target, name, count));
     let positions = &e.position_names;
     let notes = &e.notes;
@@ -155,6 +167,8 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
             multipliers: &[#(#multipliers),*],
             guards: &[#(#guards),*],
             parameter_guards: &[#(#parameter_guards),*],
+            charts: &[#first, #(#charts),*],
+            carriers: &[#(#carriers),*],
             notes: &[#(#notes),*],
             equations: &[#(#lines),*],
             operations: &[#(#costs),*],
@@ -184,11 +198,19 @@ pub fn bare(target: &Target, types: &Types) -> TokenStream {
             multipliers: &[],
             guards: &[],
             parameter_guards: &[],
+            charts: &[],
+            carriers: &[],
             notes: &[],
             equations: &[],
             operations: &[],
         }
     }
+}
+
+fn chart<S: AsRef<str>>(target: &Target, speeds: &[S], guards: &[TokenStream]) -> TokenStream {
+    let krate = &target.krate;
+    let speeds = speeds.iter().map(AsRef::as_ref);
+    quote!(#krate::ChartInfo { speeds: &[#(#speeds),*], guards: &[#(#guards),*] })
 }
 
 fn guard(target: &Target, guard: &Guard) -> TokenStream {

@@ -27,9 +27,13 @@ fn arguments(target: &Target, types: &Types, arguments: Arguments) -> Vec<(Ident
     let velocities = || (name("v"), types.of(target, &types.velocities, &t));
     let n = Literal::usize_unsuffixed(types.known.coordinates.len());
     let coordinates = || (name("at"), quote!([#t; #n]));
+    let w = Literal::usize_unsuffixed(types.known.carriers.len());
+    let carriers = || (name("w"), quote!([#t; #w]));
     match arguments {
-        Arguments::State => vec![state()],
-        Arguments::StateInputs => vec![state(), inputs()],
+        Arguments::State | Arguments::Chart(_) => vec![state()],
+        Arguments::StateInputs | Arguments::ChartInputs(_) => vec![state(), inputs()],
+        Arguments::StateVelocities => vec![state(), velocities()],
+        Arguments::StateCarriers => vec![state(), carriers()],
         Arguments::Coordinates => vec![coordinates()],
         Arguments::CoordinatesVelocities => vec![coordinates(), velocities()],
         Arguments::CoordinatesVelocitiesInputs => vec![coordinates(), velocities(), inputs()],
@@ -37,8 +41,15 @@ fn arguments(target: &Target, types: &Types, arguments: Arguments) -> Vec<(Ident
     }
 }
 
-/// The function's signature up to its body.
-pub fn signature(target: &Target, types: &Types, name: &str, reads: Arguments, outputs: &[Shape]) -> TokenStream {
+/// The function's signature up to its body; `chart` names a first argument of that kind.
+pub fn signature(
+    target: &Target,
+    types: &Types,
+    name: &str,
+    chart: Option<&str>,
+    reads: Arguments,
+    outputs: &[Shape],
+) -> TokenStream {
     let (krate, scalar) = (&target.krate, &types.scalar);
     let name = Ident::new(name, Span::call_site());
     let values = types.of(target, &types.values, &quote!(#scalar));
@@ -48,14 +59,18 @@ pub fn signature(target: &Target, types: &Types, name: &str, reads: Arguments, o
         [one] => quote!(#one),
         many => quote!((#(#many),*)),
     };
-    quote!(fn #name<#scalar: #krate::Scalar>(p: &#values, t: #scalar, #(#arguments),*) -> #output)
+    let chart = chart.map(|chart| {
+        let chart = Ident::new(chart, Span::call_site());
+        quote!(#chart: usize,)
+    });
+    quote!(fn #name<#scalar: #krate::Scalar>(#chart p: &#values, t: #scalar, #(#arguments),*) -> #output)
 }
 
 /// The function with its doc comment.
 pub fn function(target: &Target, types: &Types, programs: &Programs, program: &Program, texts: &Texts) -> Emitted {
     let entry = &program.entry;
     let shapes: Vec<Shape> = entry.outputs.iter().map(|o| o.shape).collect();
-    let signature = signature(target, types, entry.name, entry.arguments, &shapes);
+    let signature = signature(target, types, &entry.name, None, entry.arguments, &shapes);
     let scalar = types.scalar.to_string();
     let writer = Writer { code: &program.code, layout: &program.layout, names: &programs.names, scalar: &scalar };
     let (last, earlier) = program.layout.parts.split_last().expect("a program has a part");
@@ -70,10 +85,10 @@ pub fn function(target: &Target, types: &Types, programs: &Programs, program: &P
         let own = if part.enter.is_empty() { "" } else { ", part" };
         body.push_str(&format!("let part = {name}({}{own});\n", called.join(", ")));
         let list: Vec<String> = leave.iter().map(|r| writer.expression(*r)).collect();
-        let text = format!("{}{}[{}]", writer.coordinates(entry.arguments), writer.part(part), list.join(", "));
+        let text = format!("{}{}[{}]", writer.arrays(entry.arguments), writer.part(part), list.join(", "));
         parts.extend(part_function(target, types, entry.arguments, &name, part.enter.len(), leave.len(), &text));
     }
-    body.push_str(&writer.coordinates(entry.arguments));
+    body.push_str(&writer.arrays(entry.arguments));
     body.push_str(&writer.part(last));
     let mut at = 0;
     let packed: Vec<String> = entry
@@ -98,7 +113,7 @@ pub fn function(target: &Target, types: &Types, programs: &Programs, program: &P
         many => body.push_str(&format!("({})", many.join(", "))),
     }
     let body = tokens(&body);
-    let docs = docs(entry.name, entry.law, &program.count, texts);
+    let docs = docs(&entry.name, entry.law, &program.count, texts);
     let inline = program.inline.then(|| quote!(#[inline]));
     Emitted { function: quote!(#docs #inline #signature { #body }), parts }
 }

@@ -7,9 +7,11 @@
 //! | [`types`] | the emitted structs |
 //! | [`text`] | function bodies as text |
 //! | [`functions`] | the functions of the trait |
+//! | [`charts`] | the functions that choose a chart |
 //! | [`description`] | `MODEL`, and the equations as text |
 //! | [`system`] | the implementation of the trait |
 
+pub mod charts;
 pub mod description;
 pub mod functions;
 pub mod shape;

@@ -1,6 +1,7 @@
 //! The names and sizes of the emitted types.
 
 use super::target::{Target, ident};
+use crate::program::entry::chart_guards;
 use crate::program::names::Namer;
 use crate::program::{Names, Shape};
 use crate::projection::Equations;
@@ -34,6 +35,12 @@ pub struct Known {
     pub velocity_rows: usize,
     /// How many position constraints there are.
     pub position_rows: usize,
+    /// The carriers.
+    pub carriers: Vec<String>,
+    /// How many charts there are.
+    pub charts: usize,
+    /// The length of the longest list of guards among them.
+    pub chart_guards: usize,
 }
 
 impl Known {
@@ -55,6 +62,9 @@ impl Known {
             rows: equations.rows.len(),
             velocity_rows: equations.velocity_residual.len(),
             position_rows: equations.position_names.len(),
+            carriers: names(&equations.carriers),
+            charts: equations.charts.len() + 1,
+            chart_guards: chart_guards(equations),
         }
     }
 }

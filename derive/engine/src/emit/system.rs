@@ -1,5 +1,6 @@
 //! The implementation of the trait.
 
+use super::charts::chosen;
 use super::description::{Texts, bare, model};
 use super::functions::{docs, function, signature, tokens};
 use super::shape::{Known, Types};
@@ -18,6 +19,11 @@ pub fn implementation(target: &Target, equations: &Equations, programs: &Program
     let structs = structs(target, &types, Some(programs));
     let mut functions = TokenStream::new();
     let mut parts = TokenStream::new();
+    for program in &programs.charts {
+        let emitted = function(target, &types, programs, program, &texts);
+        parts.extend(emitted.function);
+        parts.extend(emitted.parts);
+    }
     for program in &programs.functions {
         let emitted = function(target, &types, programs, program, &texts);
         functions.extend(emitted.function);
@@ -25,7 +31,8 @@ pub fn implementation(target: &Target, equations: &Equations, programs: &Program
     }
     let model = model(target, &types, equations, programs, &texts);
     let prepare = prepare(target, &types, programs);
-    let implementation = block(target, &types, &model, &quote!(#prepare #functions));
+    let charts = chosen(target, &types);
+    let implementation = block(target, &types, &model, &quote!(#prepare #functions #charts));
     whole(&structs, &parts, &implementation)
 }
 
@@ -38,8 +45,11 @@ pub fn diverging(target: &Target, known: &Known) -> TokenStream {
     let scalar = &types.scalar;
     let speeds = known.state.len().saturating_sub(known.state_coordinates);
     let (k, n, m, x) = (known.reduced, known.velocities.len(), known.rows, known.coordinates.len());
-    use Arguments::{Coordinates, CoordinatesVelocities, CoordinatesVelocitiesInputs, State, StateInputs};
-    let all: [(&str, Arguments, Vec<Shape>); 22] = [
+    use Arguments::{
+        Coordinates, CoordinatesVelocities, CoordinatesVelocitiesInputs, State, StateCarriers, StateInputs,
+        StateVelocities,
+    };
+    let all: [(&str, Arguments, Vec<Shape>); 25] = [
         ("derivative", StateInputs, vec![Shape::State, Shape::Array(known.guards)]),
         ("accelerations", StateInputs, vec![Shape::Array(speeds)]),
         ("mass_matrix", State, vec![Shape::Matrix(k, k)]),
@@ -62,9 +72,13 @@ pub fn diverging(target: &Target, known: &Known) -> TokenStream {
         ("velocity_residual", CoordinatesVelocities, vec![Shape::Array(known.velocity_rows)]),
         ("kinetic_energy", CoordinatesVelocities, vec![Shape::Scalar]),
         ("potential_energy", Coordinates, vec![Shape::Optional(false)]),
+        ("carried_velocities", StateCarriers, vec![Shape::Velocities]),
+        ("carried_rates", StateCarriers, vec![Shape::Array(known.state_coordinates)]),
+        ("chart_speeds", StateVelocities, vec![Shape::Array(speeds)]),
     ];
     let functions = all.iter().map(|(name, reads, shapes)| {
-        let signature = signature(target, &types, name, *reads, shapes);
+        let chart = (*name == "chart_speeds").then_some("chart");
+        let signature = signature(target, &types, name, chart, *reads, shapes);
         quote!(#signature { loop {} })
     });
     let parameters = types.of(target, &types.parameters, &quote!(f64));
@@ -122,6 +136,8 @@ fn block(target: &Target, types: &Types, model: &TokenStream, functions: &TokenS
     let speeds = array(known.state.len().saturating_sub(known.state_coordinates));
     let (coordinates, reduced, guards) = (array(known.coordinates.len()), array(k), array(known.guards));
     let (rows, velocity_rows, positions) = (array(m), array(known.velocity_rows), array(known.position_rows));
+    let (chart_guards, carriers) = (array(known.chart_guards), array(known.carriers.len()));
+    let state_coordinates = array(known.state_coordinates);
     let (mass, system, constraint, complement) = (matrix(k, k), matrix(n, n), matrix(m, n), matrix(k, n));
     quote! {
         #[automatically_derived]
@@ -137,6 +153,9 @@ fn block(target: &Target, types: &Types, model: &TokenStream, functions: &TokenS
             type Speeds<#t: #krate::Scalar> = #speeds;
             type Reduced<#t: #krate::Scalar> = #reduced;
             type Guards<#t: #krate::Scalar> = #guards;
+            type ChartGuards<#t: #krate::Scalar> = #chart_guards;
+            type Carriers<#t: #krate::Scalar> = #carriers;
+            type StateCoordinates<#t: #krate::Scalar> = #state_coordinates;
             type Rows<#t: #krate::Scalar> = #rows;
             type VelocityRows<#t: #krate::Scalar> = #velocity_rows;
             type PositionRows<#t: #krate::Scalar> = #positions;

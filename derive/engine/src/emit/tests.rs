@@ -134,7 +134,7 @@ fn a_model_with_errors_has_all_types() {
     for known in [Known::of(&equations), Known::default()] {
         let tokens = diverging(&target, &known);
         parsed(&tokens);
-        assert_eq!(tokens.to_string().matches("type ").count() - known.types(), 17);
+        assert_eq!(tokens.to_string().matches("type ").count() - known.types(), 20);
     }
 }
 

@@ -112,24 +112,27 @@ impl Writer<'_> {
         references.iter().map(|r| self.name(*r)).collect::<Vec<_>>().join(", ")
     }
 
-    /// `let [x, _, phi] = *at;`, the coordinates that the program reads.
-    pub fn coordinates(&self, arguments: Arguments) -> String {
-        if matches!(arguments, Arguments::State | Arguments::StateInputs | Arguments::Parameters) {
-            return String::new();
-        }
-        let mut read = vec![false; self.names.coordinates.len()];
+    /// `let [x, _, phi] = *at;`, the coordinates or the carriers that the program reads.
+    pub fn arrays(&self, arguments: Arguments) -> String {
+        let (names, argument) = match arguments {
+            Arguments::Coordinates | Arguments::CoordinatesVelocities | Arguments::CoordinatesVelocitiesInputs => {
+                (&self.names.coordinates, "at")
+            }
+            Arguments::StateCarriers => (&self.names.carriers, "w"),
+            _ => return String::new(),
+        };
+        let mut read = vec![false; names.len()];
         for operation in &self.code.operations {
-            if let Operation::Read(Leaf::Coordinate(i)) = operation {
+            if let Operation::Read(Leaf::Coordinate(i) | Leaf::Carrier(i)) = operation {
                 read[*i] = true;
             }
         }
         let Some(last) = read.iter().rposition(|r| *r) else { return String::new() };
-        let mut pattern: Vec<&str> =
-            (0..=last).map(|i| if read[i] { self.names.coordinates[i].as_str() } else { "_" }).collect();
+        let mut pattern: Vec<&str> = (0..=last).map(|i| if read[i] { names[i].as_str() } else { "_" }).collect();
         if last + 1 < read.len() {
             pattern.push("..");
         }
-        format!("let [{}] = *at;\n", pattern.join(", "))
+        format!("let [{}] = *{argument};\n", pattern.join(", "))
     }
 
     /// The `let`s of a part.

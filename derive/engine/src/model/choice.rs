@@ -3,21 +3,40 @@
 use super::context::Context;
 use super::lower::Vocabulary;
 use super::names::Meaning;
-use super::system::{ComplementRow, Configuration, IndependentSpeed, Kinematics};
+use super::system::{ComplementRow, Configuration, Independent, IndependentSpeed, Kinematics};
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::{Diagnostics, Quantity, messages};
 
-/// The list of independent speeds, each in v, or in q̇ where there is a configuration.
+/// The lists of independent speeds, each speed in v, or in q̇ where there is a configuration.
 pub(super) fn independent(
     kinematics: &Kinematics,
     configuration: Option<&Configuration>,
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
-) -> Option<Vec<IndependentSpeed>> {
-    let written = vocabulary.declarations.independent.as_ref()?;
+) -> Vec<Independent> {
+    let declarations = vocabulary.declarations;
+    if declarations.independent.is_empty() {
+        return Vec::new();
+    }
     let rates = Rates::of(kinematics, configuration, vocabulary);
+    let lists = declarations.independent.iter();
+    lists
+        .map(|written| Independent {
+            speeds: list(&written.entries, &rates, vocabulary, diagnostics),
+            span: written.span,
+        })
+        .collect()
+}
+
+/// One list of independent speeds.
+fn list(
+    entries: &[Quantity],
+    rates: &Rates,
+    vocabulary: &Vocabulary<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Vec<IndependentSpeed> {
     let mut list: Vec<IndependentSpeed> = Vec::new();
-    for quantity in &written.entries {
+    for quantity in entries {
         let written = quantity.ident().to_string();
         let found = match (quantity, vocabulary.names.get(&written)) {
             (Quantity::Name(_), Some(Meaning::Speed(i))) => Ok((written, rates.speeds[i])),
@@ -40,7 +59,7 @@ pub(super) fn independent(
         };
         diagnostics.report(quantity.place(), message);
     }
-    Some(list)
+    list
 }
 
 /// All speeds and rates of the initial system, in v or in q̇.
@@ -89,7 +108,7 @@ pub(super) fn complement(
 ) -> Option<Vec<ComplementRow>> {
     let declarations = vocabulary.declarations;
     let written = declarations.complement.as_ref()?;
-    if let Some(independent) = &declarations.independent {
+    if let Some(independent) = declarations.independent.first() {
         diagnostics.report(independent.span, messages::independent_and_complement());
     }
     let (columns, what, context) = match configuration {

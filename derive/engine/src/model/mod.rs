@@ -35,7 +35,9 @@ mod system;
 #[cfg(test)]
 mod tests;
 
-pub use system::{ComplementRow, Configuration, IndependentSpeed, InitialSystem, Kinematics, Places, Row, RowKind};
+pub use system::{
+    ComplementRow, Configuration, Independent, IndependentSpeed, InitialSystem, Kinematics, Places, Row, RowKind,
+};
 
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::{Declarations, Diagnostics, messages};
@@ -97,8 +99,10 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
     let rates = rates(&kinematics, vocabulary);
     let rows = rows::finish(&written, &rates, vocabulary, diagnostics);
     let forces = forces.map(|forces| vocabulary.graph.substitute(&forces, &rates));
-    let independent =
-        if failed { None } else { choice::independent(&kinematics, configuration.as_ref(), vocabulary, diagnostics) };
+    let independent = match failed {
+        true => Vec::new(),
+        false => choice::independent(&kinematics, configuration.as_ref(), vocabulary, diagnostics),
+    };
 
     let used = vocabulary.fields.iter().zip(&vocabulary.used).filter(|(_, used)| **used);
     let parameters = used.map(|(field, _)| *field).collect();
@@ -121,7 +125,6 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
             model,
             kinematics: declarations.kinematics.as_ref().map_or(model, |statement| statement.span),
             inertia: declarations.inertia.as_ref().map_or(model, |statement| statement.span),
-            independent: declarations.independent.as_ref().map_or(model, |statement| statement.span),
             complement: declarations.complement.as_ref().map_or(model, |statement| statement.span),
         },
         start,

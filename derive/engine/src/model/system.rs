@@ -34,8 +34,9 @@ pub struct InitialSystem {
     pub rows: Vec<Row>,
     /// x = g(q, t) (4.2), where the model gives it.
     pub configuration: Option<Configuration>,
-    /// The independent speeds that the model asks for.
-    pub independent: Option<Vec<IndependentSpeed>>,
+    /// The choices of independent speeds that the model names: the first gives the state's speeds, the others are
+    /// further charts.
+    pub independent: Vec<Independent>,
     /// D of (3.1) by rows, where the model gives it.
     pub complement: Option<Vec<ComplementRow>>,
     /// Where statements about the whole begin, for errors.
@@ -105,6 +106,15 @@ pub struct Configuration {
     pub span: Span,
 }
 
+/// A choice of independent speeds.
+#[derive(Clone, Debug)]
+pub struct Independent {
+    /// The speeds in order: u.
+    pub speeds: Vec<IndependentSpeed>,
+    /// The statement's place.
+    pub span: Span,
+}
+
 /// A speed that the model wants to be independent.
 #[derive(Clone, Debug)]
 pub struct IndependentSpeed {
@@ -137,8 +147,6 @@ pub struct Places {
     pub kinematics: Span,
     /// `inertia`
     pub inertia: Span,
-    /// `independent`
-    pub independent: Span,
     /// `complement`
     pub complement: Span,
 }

@@ -16,6 +16,14 @@ pub enum Arguments {
     CoordinatesVelocities,
     /// x, v and the inputs.
     CoordinatesVelocitiesInputs,
+    /// The state, of which the coordinates are read, and v.
+    StateVelocities,
+    /// The state, of which the coordinates are read, and the carriers.
+    StateCarriers,
+    /// The state in another chart: its speeds are those of this chart.
+    Chart(usize),
+    /// The same and the inputs.
+    ChartInputs(usize),
     /// The parameters alone: the work of `prepare`.
     Parameters,
 }
@@ -54,7 +62,7 @@ pub struct Output {
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Entry {
     /// The function's name.
-    pub name: &'static str,
+    pub name: String,
     /// What it reads.
     pub arguments: Arguments,
     /// What it returns: one group, or a tuple of groups.
@@ -104,9 +112,12 @@ pub fn entries(equations: &Equations) -> Vec<Entry> {
     let forcing = || array(&e.forcing, prefixed("h", &e.reduced_speeds.iter().map(name).collect::<Vec<_>>()));
     let accelerations = || array(&e.accelerations, rates_of(&u));
     let velocities = |roots: &[Expr], labels| Output { shape: Shape::Velocities, roots: roots.to_vec(), labels };
-    use Arguments::{Coordinates, CoordinatesVelocities, CoordinatesVelocitiesInputs, State, StateInputs};
-    let one = |name, arguments, law, output| Entry { name, arguments, law, outputs: vec![output] };
-    let two = |name, arguments, law, a, b| Entry { name, arguments, law, outputs: vec![a, b] };
+    use Arguments::{
+        Coordinates, CoordinatesVelocities, CoordinatesVelocitiesInputs, State, StateCarriers, StateInputs,
+    };
+    let one =
+        |name: &str, arguments, law, output| Entry { name: name.to_owned(), arguments, law, outputs: vec![output] };
+    let two = |name: &str, arguments, law, a, b| Entry { name: name.to_owned(), arguments, law, outputs: vec![a, b] };
     let multipliers = Output {
         shape: Shape::Multipliers,
         roots: e.multipliers.clone(),
@@ -173,7 +184,71 @@ pub fn entries(equations: &Equations) -> Vec<Entry> {
         ),
         one("kinetic_energy", CoordinatesVelocities, "½ vᵀ M v.", kinetic),
         one("potential_energy", Coordinates, "The potential energy, where the model gives one.", potential),
+        one(
+            "carried_velocities",
+            StateCarriers,
+            "v of the carriers w, which the velocity constraints need not bind yet (4.4).",
+            velocities(&e.carried_velocities, v),
+        ),
+        one(
+            "carried_rates",
+            StateCarriers,
+            "The rates of the state's coordinates for the carriers w (2.1), (4.3).",
+            array(&e.carried_rates, rates_of(&state[..e.state_coordinates.len()])),
+        ),
     ]
+}
+
+/// The functions of every chart, which the trait's functions choose from: `chart_1_derivative` and the like. Of the first
+/// chart only the speeds: the others are the model's own functions.
+pub fn chart_entries(equations: &Equations) -> Vec<Entry> {
+    let e = equations;
+    let name = |s: &crate::symbolic::Symbol| e.graph.name(*s).to_owned();
+    let coordinates = e.state_coordinates.iter().map(name);
+    let v: Vec<String> = e.speeds.iter().map(name).collect();
+    let state: Vec<String> = coordinates.chain(e.state_speeds.iter().map(name)).collect();
+    let mut entries = Vec::new();
+    for (at, speeds) in e.chart_speeds.iter().enumerate() {
+        let outputs = vec![Output {
+            shape: Shape::Array(speeds.len()),
+            roots: speeds.clone(),
+            labels: (1..=speeds.len()).map(|i| format!("u_{i}")).collect(),
+        }];
+        let law = "u of this chart from v: the inverse of v = Dᵀ u + v_p (5.2).";
+        entries.push(Entry { name: chart_function(at, "speeds"), arguments: Arguments::StateVelocities, outputs, law });
+    }
+    for (at, chart) in e.charts.iter().enumerate() {
+        let at = at + 1;
+        let mut guards: Vec<Expr> = chart.guards.iter().map(|g| g.expr).collect();
+        guards.resize(chart_guards(e), e.graph.one());
+        let rates = chart.coordinate_rates.iter().chain(&chart.accelerations).copied().collect();
+        let outputs = vec![
+            Output { shape: Shape::State, roots: rates, labels: rates_of(&state) },
+            Output {
+                shape: Shape::Array(guards.len()),
+                labels: (1..=guards.len()).map(|i| format!("guard_{i}")).collect(),
+                roots: guards,
+            },
+        ];
+        let law = "The state's rate in this chart: ẋ = A v + a0 (2.1), (5.7), then u̇ from M_d u̇ = h_u* (4.10); and its guards.";
+        let name = chart_function(at, "derivative");
+        entries.push(Entry { name, arguments: Arguments::ChartInputs(at), outputs, law });
+        let outputs = vec![Output { shape: Shape::Velocities, roots: chart.velocities.clone(), labels: v.clone() }];
+        let law = "v = Dᵀ u + v_p of the state in this chart (4.4), (5.3).";
+        entries.push(Entry { name: chart_function(at, "velocities"), arguments: Arguments::Chart(at), outputs, law });
+    }
+    entries
+}
+
+/// The name of one chart's function.
+pub fn chart_function(chart: usize, what: &str) -> String {
+    format!("chart_{chart}_{what}")
+}
+
+/// The length of the longest list of guards among the charts.
+pub fn chart_guards(equations: &Equations) -> usize {
+    let further = equations.charts.iter().map(|chart| chart.guards.len());
+    further.fold(equations.guards.len(), usize::max)
 }
 
 fn rates_of(names: &[String]) -> Vec<String> {

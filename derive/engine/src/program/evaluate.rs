@@ -1,5 +1,6 @@
 //! Programs run in double precision, step by step as they are emitted.
 
+use super::entry::Arguments;
 use super::operation::{Code, Leaf, Operation};
 use super::plan::Programs;
 use crate::projection::Equations;
@@ -43,6 +44,10 @@ impl Programs {
             Leaf::Parameter(i) => parameters[i],
             _ => f64::NAN,
         });
+        let speeds = match program.entry.arguments {
+            Arguments::Chart(chart) | Arguments::ChartInputs(chart) => &equations.charts[chart - 1].speeds,
+            _ => &equations.state_speeds,
+        };
         Some(program.code.evaluate(&|leaf| match leaf {
             Leaf::Pi => std::f64::consts::PI,
             Leaf::Parameter(i) => parameters[i],
@@ -50,9 +55,10 @@ impl Programs {
             Leaf::Value(i) => prepared[i - parameters.len()],
             Leaf::Time => values(equations.time),
             Leaf::StateCoordinate(i) => values(equations.state_coordinates[i]),
-            Leaf::StateSpeed(i) => values(equations.state_speeds[i]),
+            Leaf::StateSpeed(i) => values(speeds[i]),
             Leaf::Coordinate(i) => values(equations.coordinates[i]),
             Leaf::Speed(i) => values(equations.speeds[i]),
+            Leaf::Carrier(i) => values(equations.carriers[i]),
             Leaf::Input(i) => values(equations.inputs[i]),
         }))
     }

@@ -20,7 +20,7 @@ const KEYWORDS: &[&str] = &[
 const FORBIDDEN: &[&str] = &["self", "Self", "super", "crate", "_", ""];
 
 /// The arguments of emitted functions, which no local name may hide.
-pub const ARGUMENTS: &[&str] = &["p", "t", "s", "i", "at", "v", "part"];
+pub const ARGUMENTS: &[&str] = &["p", "t", "s", "i", "at", "v", "w", "part"];
 
 /// The name as a Rust identifier, raw where it is a keyword.
 pub fn identifier(name: &str) -> String {
@@ -90,6 +90,8 @@ pub struct Names {
     pub multipliers: Vec<String>,
     /// Initial coordinates, as local variables.
     pub coordinates: Vec<String>,
+    /// Carriers, as local variables.
+    pub carriers: Vec<String>,
 }
 
 impl Names {
@@ -103,7 +105,10 @@ impl Names {
             names.iter().map(|n| namer.unique(n)).collect()
         };
         let state = [of(&equations.state_coordinates), of(&equations.state_speeds)].concat();
-        let mut locals = Namer::avoiding(ARGUMENTS.iter().copied());
+        let locals = |symbols: &[crate::symbolic::Symbol]| -> Vec<String> {
+            let mut namer = Namer::avoiding(ARGUMENTS.iter().copied());
+            of(symbols).iter().map(|n| namer.unique(&n.to_lowercase())).collect()
+        };
         Names {
             values: fields(of(&equations.parameters)),
             state: fields(state),
@@ -111,7 +116,8 @@ impl Names {
             inputs: fields(of(&equations.inputs)),
             velocities: fields(of(&equations.speeds)),
             multipliers: fields(equations.multiplier_names.clone()),
-            coordinates: of(&equations.coordinates).iter().map(|n| locals.unique(&n.to_lowercase())).collect(),
+            coordinates: locals(&equations.coordinates),
+            carriers: locals(&equations.carriers),
         }
     }
 
@@ -125,6 +131,7 @@ impl Names {
             Leaf::StateSpeed(i) => &self.state[self.state_coordinates + i],
             Leaf::Coordinate(i) => &self.coordinates[i],
             Leaf::Speed(i) => &self.velocities[i],
+            Leaf::Carrier(i) => &self.carriers[i],
             Leaf::Input(i) => &self.inputs[i],
         }
     }
@@ -132,7 +139,7 @@ impl Names {
     /// The argument that holds what is read; nothing for a local name.
     pub fn place(leaf: Leaf) -> &'static str {
         match leaf {
-            Leaf::Pi | Leaf::Time | Leaf::Coordinate(_) => "",
+            Leaf::Pi | Leaf::Time | Leaf::Coordinate(_) | Leaf::Carrier(_) => "",
             Leaf::Parameter(_) | Leaf::Value(_) => "p.",
             Leaf::StateCoordinate(_) | Leaf::StateSpeed(_) => "s.",
             Leaf::Speed(_) => "v.",

@@ -1,7 +1,7 @@
 //! All programs of a model.
 
 use super::angles::Rests;
-use super::entry::{Arguments, Entry, entries};
+use super::entry::{Arguments, Entry, chart_entries, entries};
 use super::layout::Layout;
 use super::lower::{Lowering, Manner};
 use super::names::{Namer, Names, quantity};
@@ -58,6 +58,8 @@ pub struct Programs {
     pub values: Values,
     /// The functions, in the order of the trait.
     pub functions: Vec<Program>,
+    /// The functions of the charts, private to the implementation.
+    pub charts: Vec<Program>,
     /// Names of everything that is read.
     pub names: Names,
 }
@@ -65,7 +67,7 @@ pub struct Programs {
 impl Programs {
     /// The function of that name.
     pub fn function(&self, name: &str) -> Option<&Program> {
-        self.functions.iter().find(|p| p.entry.name == name)
+        self.functions.iter().chain(&self.charts).find(|p| p.entry.name == name)
     }
 }
 
@@ -73,7 +75,7 @@ impl Programs {
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Unbound {
     /// The function.
-    pub function: &'static str,
+    pub function: String,
     /// The symbol's name.
     pub symbol: String,
 }
@@ -91,12 +93,14 @@ pub fn programs(equations: &Equations) -> Result<Programs, Unbound> {
     let mut registry = Registry::new(&graph.vars(&equations.parameters));
     let mut rests = Rests::default();
     let mut coded: Vec<(Entry, Code)> = Vec::new();
-    for entry in entries(equations) {
+    let own = entries(equations);
+    let count = own.len();
+    for entry in own.into_iter().chain(chart_entries(equations)) {
         let code = function(&mut graph, &mut rests, equations, &entry, &mut registry)?;
         coded.push((entry, code));
     }
     let values = prepare(&mut graph, equations, registry, &mut names)?;
-    let functions = coded
+    let mut functions: Vec<Program> = coded
         .into_iter()
         .map(|(entry, code)| {
             let layout = Layout::new(&code, &names, &entry.labels());
@@ -104,7 +108,8 @@ pub fn programs(equations: &Equations) -> Result<Programs, Unbound> {
             Program { entry, code, layout, count, inline: count.operations() <= INLINED }
         })
         .collect();
-    Ok(Programs { graph, values, functions, names })
+    let charts = functions.split_off(count);
+    Ok(Programs { graph, values, functions, charts, names })
 }
 
 /// The cheaper of two programs for one function: sums as they stand, and with common factors taken out.
@@ -124,7 +129,7 @@ fn function(
         let mut lowering = Lowering::new(graph, rests, Manner { numeric: false, factor: *factor });
         let lowered = lowering.lower(&roots, &place);
         let units = std::mem::take(&mut lowering.units);
-        let roots = lowered.map_err(|symbol| unbound(entry.name, equations, symbol))?;
+        let roots = lowered.map_err(|symbol| unbound(&entry.name, equations, symbol))?;
         let (code, used) = program(graph, units, &roots, registry.clone());
         if best.as_ref().is_none_or(|(other, _)| code.count().weight() < other.count().weight()) {
             best = Some((code, used));
@@ -186,8 +191,8 @@ fn parameter_guards(graph: &Graph, equations: &Equations) -> Vec<Guard> {
     guards
 }
 
-fn unbound(function: &'static str, equations: &Equations, symbol: Symbol) -> Unbound {
-    Unbound { function, symbol: equations.graph.name(symbol).to_owned() }
+fn unbound(function: &str, equations: &Equations, symbol: Symbol) -> Unbound {
+    Unbound { function: function.to_owned(), symbol: equations.graph.name(symbol).to_owned() }
 }
 
 /// What a function with these arguments can read.
@@ -200,7 +205,10 @@ fn places(equations: &Equations, arguments: Arguments) -> BTreeMap<Symbol, Leaf>
         }
     };
     let pi = e.graph.pi_symbol();
-    let inputs = matches!(arguments, Arguments::StateInputs | Arguments::CoordinatesVelocitiesInputs);
+    let inputs = matches!(
+        arguments,
+        Arguments::StateInputs | Arguments::CoordinatesVelocitiesInputs | Arguments::ChartInputs(_)
+    );
     match arguments {
         Arguments::Parameters => {
             add(&e.parameters, Leaf::Parameter);
@@ -210,6 +218,18 @@ fn places(equations: &Equations, arguments: Arguments) -> BTreeMap<Symbol, Leaf>
         Arguments::State | Arguments::StateInputs => {
             add(&e.state_coordinates, Leaf::StateCoordinate);
             add(&e.state_speeds, Leaf::StateSpeed);
+        }
+        Arguments::Chart(chart) | Arguments::ChartInputs(chart) => {
+            add(&e.state_coordinates, Leaf::StateCoordinate);
+            add(&e.charts[chart - 1].speeds, Leaf::StateSpeed);
+        }
+        Arguments::StateVelocities => {
+            add(&e.state_coordinates, Leaf::StateCoordinate);
+            add(&e.speeds, Leaf::Speed);
+        }
+        Arguments::StateCarriers => {
+            add(&e.state_coordinates, Leaf::StateCoordinate);
+            add(&e.carriers, Leaf::Carrier);
         }
         Arguments::Coordinates => add(&e.coordinates, Leaf::Coordinate),
         Arguments::CoordinatesVelocities | Arguments::CoordinatesVelocitiesInputs => {

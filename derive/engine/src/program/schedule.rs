@@ -216,7 +216,7 @@ fn stage_of(leaf: Leaf) -> Option<Stage> {
         Leaf::Parameter(_) | Leaf::Value(_) => Stage::Parameter,
         Leaf::Time => Stage::Time,
         Leaf::StateCoordinate(_) | Leaf::Coordinate(_) => Stage::Coordinate,
-        Leaf::StateSpeed(_) | Leaf::Speed(_) | Leaf::Input(_) => Stage::Speed,
+        Leaf::StateSpeed(_) | Leaf::Speed(_) | Leaf::Carrier(_) | Leaf::Input(_) => Stage::Speed,
     })
 }
 

@@ -50,6 +50,28 @@ pub struct RowFacts {
     pub redundant: bool,
 }
 
+/// The motion in a chart beyond the first: the state's coordinates with other independent speeds.
+#[derive(Clone, Debug)]
+pub struct ChartEquations {
+    /// u of this chart.
+    pub speeds: Vec<Symbol>,
+    /// Rates of the state's coordinates (5.7), (4.3).
+    pub coordinate_rates: Vec<Expr>,
+    /// u̇.
+    pub accelerations: Vec<Expr>,
+    /// v (5.3), (4.4).
+    pub velocities: Vec<Expr>,
+    /// Divisors that depend on the state.
+    pub guards: Vec<Guard>,
+}
+
+impl ChartEquations {
+    /// The functions of the state, guards apart.
+    pub fn state_roots(&self) -> Vec<Expr> {
+        [&self.coordinate_rates, &self.accelerations, &self.velocities].into_iter().flatten().copied().collect()
+    }
+}
+
 /// The equations of motion and everything that goes with them.
 ///
 /// n speeds v, m independent rows of C, k = n - m independent accelerations. Functions of the state know t, the state's
@@ -101,6 +123,16 @@ pub struct Equations {
     pub guards: Vec<Guard>,
     /// Divisors that hold parameters only.
     pub parameter_guards: Vec<Guard>,
+    /// The charts beyond the first.
+    pub charts: Vec<ChartEquations>,
+    /// u of every chart, the first included, as functions of v and the state's coordinates.
+    pub chart_speeds: Vec<Vec<Expr>>,
+    /// w, the carriers of the motion: v without a configuration, with one the rates of its coordinates.
+    pub carriers: Vec<Symbol>,
+    /// v as functions of w and the state's coordinates.
+    pub carried_velocities: Vec<Expr>,
+    /// The rates of the state's coordinates as functions of w and these coordinates.
+    pub carried_rates: Vec<Expr>,
 
     /// A, n x n: ẋ = A v + a0 (2.1).
     pub kinematic_matrix: Matrix,
@@ -178,7 +210,7 @@ impl Equations {
     /// The expressions in groups that are computed together, to be replaced by cheaper ones in place.
     pub fn groups(&mut self) -> Vec<Vec<&mut Expr>> {
         let guards = self.guards.iter_mut().map(|g| &mut g.expr);
-        vec![
+        let mut groups = vec![
             self.coordinate_rates.iter_mut().chain(&mut self.accelerations).chain(guards).collect(),
             self.mass_matrix.entries_mut().iter_mut().chain(&mut self.forcing).collect(),
             self.velocity_rates.iter_mut().collect(),
@@ -191,6 +223,14 @@ impl Equations {
             self.constraint_matrix.entries_mut().iter_mut().chain(&mut self.constraint_bias).collect(),
             self.position_residual.iter_mut().chain(&mut self.velocity_residual).collect(),
             std::iter::once(&mut self.kinetic_energy).chain(self.potential_energy.as_mut()).collect(),
-        ]
+            self.carried_velocities.iter_mut().chain(&mut self.carried_rates).collect(),
+            self.chart_speeds.iter_mut().flatten().collect(),
+        ];
+        for chart in &mut self.charts {
+            let guards = chart.guards.iter_mut().map(|g| &mut g.expr);
+            groups.push(chart.coordinate_rates.iter_mut().chain(&mut chart.accelerations).chain(guards).collect());
+            groups.push(chart.velocities.iter_mut().collect());
+        }
+        groups
     }
 }

@@ -55,6 +55,13 @@ impl Guards {
         }
     }
 
+    /// Adds what another chart needs of the parameters.
+    pub fn of_parameters(&mut self, graph: &Graph, guards: Vec<Guard>) {
+        for Guard { expr, kind, origin, rows, .. } in guards {
+            self.push(graph, expr, kind, &origin, &rows);
+        }
+    }
+
     fn push(&mut self, graph: &Graph, expr: Expr, kind: GuardKind, origin: &str, rows: &[String]) {
         if kind == GuardKind::Pivot && graph.bounds(expr).exclude_zero() {
             return;
@@ -78,17 +85,24 @@ impl Guards {
 /// another guard, the basis is regular at their zeros, and a run need not stop there.
 pub fn drop_cancelled_pivots(equations: &mut Equations, origin: &str) {
     let roots = equations.state_roots();
-    let graph = &equations.graph;
+    drop_cancelled(&equations.graph, &roots, &mut equations.guards, origin);
+    for chart in &mut equations.charts {
+        let roots = chart.state_roots();
+        drop_cancelled(&equations.graph, &roots, &mut chart.guards, origin);
+    }
+}
+
+fn drop_cancelled(graph: &Graph, roots: &[Expr], guards: &mut Vec<Guard>, origin: &str) {
     let mut divisors: Vec<Expr> = Vec::new();
-    for e in graph.reachable(&roots) {
+    for e in graph.reachable(roots) {
         if let Node::Product(factors) = graph.node(e) {
             let below = factors.iter().filter(|(base, k)| *k < 0 && graph.stage(*base) > Stage::Parameter);
             divisors.extend(below.map(|(base, _)| *base).filter(|base| !graph.bounds(*base).exclude_zero()));
         }
     }
-    let others: Vec<Expr> = equations.guards.iter().filter(|g| g.origin != origin).map(|g| g.expr).collect();
+    let others: Vec<Expr> = guards.iter().filter(|g| g.origin != origin).map(|g| g.expr).collect();
     if divisors.iter().all(|d| others.contains(d)) {
-        equations.guards.retain(|g| g.origin != origin);
+        guards.retain(|g| g.origin != origin);
     }
 }
 

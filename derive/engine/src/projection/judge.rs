@@ -46,12 +46,12 @@ pub fn judge(
                 .collect();
             line(system, carriers, numbers)
         });
-        let place = match &system.independent {
-            Some(_) => system.places.independent,
+        let place = match system.independent.first() {
+            Some(choice) => choice.span,
             None => tangent.rows.first().map_or(system.places.model, |row| rows[*row].span),
         };
         let (text, name) = (graph.display(*pivot), graph.name(carriers.speeds[*column]));
-        let by_user = system.independent.is_some();
+        let by_user = !system.independent.is_empty();
         errors.report(place, messages::singular_at_start(&text, name, by_user, better.flatten().as_deref()));
         return;
     }

@@ -80,6 +80,12 @@ pub(crate) fn singular_at_start(pivot: &str, dependent: &str, by_user: bool, bet
     format!("{who} not determine `{dependent}` at the start, where the pivot {pivot} vanishes; {mend}")
 }
 
+/// A chart repeats another one.
+pub(crate) fn chart_twice(of_the_state: bool) -> String {
+    let which = if of_the_state { "the first `independent` statement" } else { "an earlier `independent` statement" };
+    format!("{which} names the same speeds; a further chart must choose others")
+}
+
 /// An independent speed is named twice.
 pub(crate) fn independent_twice(name: &str) -> String {
     format!("the independent speed `{name}` is named twice")

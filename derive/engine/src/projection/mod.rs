@@ -7,6 +7,8 @@
 //! | [`elimination`] | C_d⁻¹ by Gauss-Jordan on the arena, pivots chosen and recorded |
 //! | [`carriers`] | partial velocities of a configuration (4.9), and the rows that still bind |
 //! | [`tangent`] | the basis D and the bias a_u, by pivots |
+//! | [`chart`] | a choice of independent speeds, and the motion in terms of them |
+//! | [`back`] | carriers and independent speeds from v |
 //! | [`complement`] | the basis D as the user gives it |
 //! | [`acceleration`] | the rows that bind only the rates of the state's speeds |
 //! | [`judge`] | the choice of speeds at the start that the model names |
@@ -20,7 +22,9 @@
 //! | `messages` | every sentence that this step can say to a user |
 
 pub mod acceleration;
+pub mod back;
 pub mod carriers;
+pub mod chart;
 pub mod complement;
 pub mod constraints;
 pub mod dependence;
@@ -38,7 +42,7 @@ pub mod tangent;
 #[cfg(test)]
 mod tests;
 
-pub use equations::{Equations, Guard, GuardKind, Level, RowFacts};
+pub use equations::{ChartEquations, Equations, Guard, GuardKind, Level, RowFacts};
 pub use project::{TANGENT_PIVOT, project};
 
 use crate::symbolic::{Expr, Graph};

@@ -1,14 +1,14 @@
 //! The steps in order.
 
-use super::acceleration::{self, bound};
-use super::carriers::{Carriers, carriers};
+use super::acceleration;
+use super::back::{carriers_of_velocities, speeds_of_carriers};
+use super::carriers::{Carriers, carried, carriers};
+use super::chart::{Chart, chart, further_charts};
 use super::constraints::differentiate;
 use super::dependence::{self, Sorted, check_redundant, sort};
-use super::dynamics::{reduce, to_state};
+use super::dynamics::to_state;
 use super::equations::Equations;
-use super::guards::Guards;
 use super::judge::judge;
-use super::motion::solve;
 use super::reactions::{Motion, rates as rates_of, reactions, shared};
 use super::tangent::tangent;
 use super::{Simplifier, constraints::DifferentiatedRow, messages};
@@ -31,9 +31,13 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     if !errors.is_empty() {
         return Err(errors);
     }
-    let Some(tangent) = tangent(&mut system, simplifier, &rows, &sorted.kept, &carriers, &mut errors) else {
+    let (carried, overlapping) = carried(&mut system, simplifier, &rows, &sorted.kept, &carriers, &mut errors);
+    if !errors.is_empty() {
         return Err(errors);
-    };
+    }
+    let before = system.graph.assumptions();
+    let tangent = tangent(&mut system, simplifier, &rows, &sorted.kept, &carried, &carriers, 0, &mut errors);
+    let Some(tangent) = tangent else { return Err(errors) };
     judge(&system, &rows, &carriers, &tangent, &mut errors);
     if !errors.is_empty() {
         return Err(errors);
@@ -43,31 +47,26 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     if !errors.is_empty() {
         return Err(errors);
     }
-    let Some(bound) = bound(&mut system, simplifier, &rows, &sorted.kept, &carriers, &tangent, &mut errors) else {
-        return Err(errors);
+    let chart = chart(&mut system, simplifier, &rows, &sorted.kept, &carriers, tangent, &mut errors);
+    let Some(chart) = chart else { return Err(errors) };
+    let further =
+        further_charts(&mut system, simplifier, &rows, &sorted.kept, &carried, &carriers, &before, &mut errors);
+    let coordinate_rates = chart.coordinate_rates(&mut system, simplifier, &carriers);
+    let velocities = chart.velocities(&mut system, simplifier, &carriers);
+    let Chart { tangent, bound, dynamics, solution, mut guards } = chart;
+    guards.of_parameters(&system.graph, further.parameter_guards);
+    let motion = Motion {
+        carriers: &carriers,
+        tangent: &tangent,
+        bound: &bound,
+        dynamics: &dynamics,
+        solution: &solution,
+        overlapping,
     };
-    let mut guards = Guards::default();
-    for pivot in system.kinematics.pivots.clone() {
-        let pivot = to_state(&mut system.graph, &carriers, &tangent, &[pivot])[0];
-        guards.pivot(&system.graph, pivot, "the kinematics are not invertible where it vanishes (2.2)", &[]);
-    }
-    let names: Vec<String> = sorted.kept.iter().map(|i| rows[*i].name.clone()).collect();
-    let binding: Vec<String> = tangent.rows.iter().map(|position| names[*position].clone()).collect();
-    for pivot in &tangent.pivots {
-        guards.pivot(&system.graph, *pivot, TANGENT_PIVOT, &binding);
-    }
-    let dynamics = reduce(&mut system, simplifier, &carriers, &tangent, &bound);
-    let by_third: Vec<String> = bound.rows.iter().map(|position| names[*position].clone()).collect();
-    let stages = (&tangent, &bound);
-    let watched = (&mut guards, by_third.as_slice());
-    let Some(solution) = solve(&mut system, simplifier, stages, &dynamics, watched, &mut errors) else {
-        return Err(errors);
-    };
-    let motion =
-        Motion { carriers: &carriers, tangent: &tangent, bound: &bound, dynamics: &dynamics, solution: &solution };
     let Some(reactions) = reactions(&mut system, simplifier, &rows, &sorted.kept, motion, &mut errors) else {
         return Err(errors);
     };
+    let names: Vec<String> = sorted.kept.iter().map(|i| rows[*i].name.clone()).collect();
     for pivot in &reactions.pivots {
         let origin = "the reactions are not determined where it vanishes (3.6)";
         guards.positive(&mut system.graph, *pivot, origin, &names).ok();
@@ -78,17 +77,19 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     guards.divisors(&system.graph, &weights, "the redundant rows have no finite share of it where it vanishes", &names);
     let multipliers: Vec<Expr> = multipliers.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
     let names = name_multipliers(&mut system, &rows, &sorted, &multipliers);
-    let rates: Vec<Expr> = carriers.motion.iter().map(|(_, rate)| *rate).collect();
-    let rates = to_state(&mut system.graph, &carriers, &tangent, &rates[..carriers.coordinates.len()]);
-    let coordinate_rates = rates.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
     let x = system.graph.vars(&system.coordinates);
     let initial_coordinates = to_state(&mut system.graph, &carriers, &tangent, &x);
+    let w = carriers_of_velocities(&mut system, simplifier, &carriers);
+    let mut chart_speeds = Vec::new();
+    for tangent in std::iter::once(&tangent).chain(&further.tangents) {
+        chart_speeds.push(speeds_of_carriers(&mut system, simplifier, &carriers, tangent, &w));
+    }
     let v = system.graph.vars(&system.speeds);
-    let velocities = to_state(&mut system.graph, &carriers, &tangent, &v);
-    let velocities = velocities.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
     let velocity_rates =
         rates_of(&mut system.graph, &dynamics.speed_complement, &solution.accelerations, &dynamics.speed_bias);
     let velocity_rates = velocity_rates.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
+    let carried_velocities = system.graph.substitute(&v, &carriers.map);
+    let carried_rates = carriers.motion.iter().map(|(_, rate)| *rate).take(carriers.coordinates.len()).collect();
     let kinetic_energy = kinetic_energy(&mut system);
     let all = sorted.rows();
     let gradients = all.iter().map(|i| rows[*i].gradient.clone()).collect();
@@ -96,6 +97,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     let mut notes: Vec<String> = tangent.note.iter().cloned().collect();
     notes.extend(acceleration::notes(&system.graph, &rows, &sorted.kept, &tangent, &bound));
     notes.extend(dependence::notes(&system.graph, &rows, &sorted));
+    notes.extend(further.notes);
     notes.extend(names.notes);
     Ok(Equations {
         time: system.time,
@@ -114,6 +116,11 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         multipliers: names.multipliers,
         guards: guards.state,
         parameter_guards: guards.parameters,
+        charts: further.equations,
+        chart_speeds,
+        carriers: carriers.speeds,
+        carried_velocities,
+        carried_rates,
         kinematic_matrix: system.kinematics.a,
         kinematic_bias: system.kinematics.a0,
         inertia: system.inertia,

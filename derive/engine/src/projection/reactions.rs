@@ -39,6 +39,8 @@ pub struct Motion<'a> {
     pub tangent: &'a Tangent,
     /// The third stage.
     pub bound: &'a Bound,
+    /// Whether further rows bind the carriers, but repeat those of the second stage there.
+    pub overlapping: bool,
     /// The reduced system.
     pub dynamics: &'a Dynamics,
     /// u̇, and what came with it.
@@ -54,7 +56,7 @@ pub fn reactions(
     motion: Motion<'_>,
     errors: &mut Diagnostics,
 ) -> Option<Reactions> {
-    let Motion { carriers, tangent, bound, dynamics, solution } = motion;
+    let Motion { carriers, tangent, bound, dynamics, solution, overlapping } = motion;
     let (n, m, k) = (system.speeds.len(), kept.len(), bound.speeds.len());
     let binding: Vec<usize> = tangent.rows.iter().chain(&bound.rows).copied().collect();
     if m < n - k && binding.len() < m {
@@ -74,7 +76,7 @@ pub fn reactions(
         let rate = rates(graph, &dynamics.speed_complement, &solution.accelerations, &dynamics.speed_bias);
         (0..n).map(|i| residual(graph, &dynamics.inertia, &dynamics.forces, &rate, i)).collect()
     };
-    if tangent.overlapping || bound.overlapping {
+    if overlapping || bound.overlapping {
         let c = c(graph, simplifier, &all);
         let r = net(graph);
         return Some(solve(graph, simplifier, &c, &r));

@@ -4,12 +4,12 @@
 //! complement is taken. With a unit block the bias is [-C_d⁻¹ c0*; 0], without any derivative of D.
 
 use super::Simplifier;
-use super::carriers::{Carriers, carried};
+use super::carriers::{CarriedRow, Carriers};
 use super::complement::given;
 use super::constraints::DifferentiatedRow;
 use super::elimination::{Choice, Elimination, Stuck, eliminate};
 use super::messages;
-use crate::model::{IndependentSpeed, InitialSystem};
+use crate::model::{Independent, IndependentSpeed, InitialSystem};
 use crate::symbolic::{Expr, Graph, Matrix, Symbol};
 use crate::syntax::Diagnostics;
 
@@ -28,8 +28,6 @@ pub struct Tangent {
     pub rows: Vec<usize>,
     /// These rows of C in terms of the carriers, one column a carrier.
     pub gradients: Matrix,
-    /// Whether further rows bind the carriers, but repeat these there.
-    pub overlapping: bool,
     /// How they were eliminated; `None` where the user gave D.
     pub elimination: Option<Elimination>,
     /// Pivots of this stage, in terms of the state.
@@ -38,24 +36,23 @@ pub struct Tangent {
     pub note: Option<String>,
 }
 
-/// The tangent basis among the carriers: the user's complement, or by elimination.
+/// The tangent basis among the carriers: the user's complement, or by elimination to the speeds of a chart.
+#[allow(clippy::too_many_arguments)]
 pub fn tangent(
     system: &mut InitialSystem,
     simplifier: &mut dyn Simplifier,
     rows: &[DifferentiatedRow],
     kept: &[usize],
+    carried: &[CarriedRow],
     carriers: &Carriers,
+    chart: usize,
     errors: &mut Diagnostics,
 ) -> Option<Tangent> {
-    let (carried, overlapping) = carried(system, simplifier, rows, kept, carriers, errors);
-    if !errors.is_empty() {
-        return None;
-    }
     if system.complement.is_some() {
-        let given = given(system, simplifier, rows, kept, &carried, carriers, errors);
-        return given.map(|tangent| Tangent { overlapping, ..tangent });
+        return given(system, simplifier, rows, kept, carried, carriers, errors);
     }
-    let independent = chosen(system, carriers, carried.len(), errors)?;
+    let choice = system.independent.get(chart).cloned();
+    let independent = chosen(system, carriers, choice.as_ref(), carried.len(), errors)?;
     let by_user = independent.is_some();
     let width = carriers.speeds.len();
     let columns = match &independent {
@@ -72,7 +69,7 @@ pub fn tangent(
                 Stuck::NeedsGuard => 0,
             };
             let names: Vec<&str> = carriers.speeds.iter().map(|s| graph.name(*s)).collect();
-            let span = if by_user { system.places.independent } else { rows[kept[row]].span };
+            let span = choice.map_or(rows[kept[row]].span, |choice| choice.span);
             errors.report(span, messages::not_independent(&rows[kept[row]].name, &names));
             return None;
         }
@@ -113,18 +110,7 @@ pub fn tangent(
     let pivots = elimination.values.clone();
     let rows = carried.iter().map(|row| row.row).collect();
     let elimination = Some(elimination);
-    Some(Tangent {
-        speeds,
-        complement,
-        map,
-        bias: dependent,
-        rows,
-        gradients: c,
-        overlapping,
-        elimination,
-        pivots,
-        note,
-    })
+    Some(Tangent { speeds, complement, map, bias: dependent, rows, gradients: c, elimination, pivots, note })
 }
 
 /// The positions of the independent speeds that the user names, checked; `None` where the choice is ours.
@@ -132,16 +118,17 @@ pub fn tangent(
 fn chosen(
     system: &InitialSystem,
     carriers: &Carriers,
+    choice: Option<&Independent>,
     rows: usize,
     errors: &mut Diagnostics,
 ) -> Option<Option<Vec<usize>>> {
     let width = carriers.speeds.len();
-    let Some(list) = &system.independent else {
+    let Some(Independent { speeds, span }) = choice else {
         return Some(None);
     };
     let graph = &system.graph;
-    let mut columns = Vec::with_capacity(list.len());
-    for IndependentSpeed { expr, place, .. } in list {
+    let mut columns = Vec::with_capacity(speeds.len());
+    for IndependentSpeed { expr, place, .. } in speeds {
         match graph.as_symbol(*expr).and_then(|s| carriers.speeds.iter().position(|w| *w == s)) {
             Some(j) if columns.contains(&j) => {
                 errors.report(*place, messages::independent_twice(graph.name(carriers.speeds[j])));
@@ -154,8 +141,7 @@ fn chosen(
         }
     }
     if errors.is_empty() && columns.len() + rows != width {
-        let span = system.places.independent;
-        errors.report(span, messages::wrong_number_independent(columns.len(), width, rows));
+        errors.report(*span, messages::wrong_number_independent(columns.len(), width, rows));
     }
     errors.is_empty().then_some(Some(columns))
 }

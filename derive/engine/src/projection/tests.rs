@@ -99,9 +99,9 @@ fn disk() -> Disk {
         potential: None,
         rows: vec![],
         configuration: None,
-        independent: None,
+        independent: vec![],
         complement: None,
-        places: Places { model: here, kinematics: here, inertia: here, independent: here, complement: here },
+        places: Places { model: here, kinematics: here, inertia: here, complement: here },
         start: vec![],
         nominal: vec![],
     };

@@ -2,9 +2,14 @@
 
 use super::rational::FOLDING_BITS;
 use super::{Expr, Graph, Node, Rational, Stage};
+use std::collections::HashSet;
 
 /// A nested sum of more terms than this stays a term of its own, so that sums of sums grow linearly.
 const FLATTENED_TERMS: usize = 32;
+
+/// What is checked at run time not to vanish, and cancels therefore.
+#[derive(Clone, Debug)]
+pub struct Assumptions(HashSet<Expr>);
 
 impl Graph {
     /// An exact number.
@@ -234,6 +239,17 @@ impl Graph {
         let result = compute(self);
         (self.nonzero, self.cancelled) = before;
         result
+    }
+
+    /// What is assumed not to vanish.
+    pub fn assumptions(&self) -> Assumptions {
+        Assumptions(self.nonzero.clone())
+    }
+
+    /// Assumes this and nothing else, and gives what was assumed until now. What cancelled of the parameters is still to
+    /// be checked.
+    pub fn assume_only(&mut self, assumptions: Assumptions) -> Assumptions {
+        Assumptions(std::mem::replace(&mut self.nonzero, assumptions.0))
     }
 
     /// Coefficient and factors of an expression seen as one term: `-2*x*y` is `(-2, [(x, 1), (y, 1)])`.

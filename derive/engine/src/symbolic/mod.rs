@@ -32,6 +32,7 @@ pub mod substitute;
 #[cfg(test)]
 mod tests;
 
+pub use construct::Assumptions;
 pub use evaluate::Algebra;
 pub use graph::Graph;
 pub use matrix::Matrix;

@@ -39,8 +39,8 @@ pub struct Declarations {
     pub constraints: Vec<Constraint>,
     /// `#[configuration(..)]`, (4.2).
     pub configuration: Option<Configuration>,
-    /// `#[independent(..)]`.
-    pub independent: Option<Independent>,
+    /// `#[independent(..)]`, in order: the first names the state's speeds, the others are further charts.
+    pub independent: Vec<Independent>,
     /// `#[complement(..)]`, D of (3.1) by rows.
     pub complement: Option<Complement>,
     /// `#[start(..)]`.

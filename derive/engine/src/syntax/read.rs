@@ -46,7 +46,7 @@ pub(crate) fn declarations(input: DeriveInput, diagnostics: &mut Diagnostics) ->
         potential_energy: None,
         constraints: Vec::new(),
         configuration: None,
-        independent: None,
+        independent: Vec::new(),
         complement: None,
         start: Vec::new(),
         complete: true,
@@ -54,7 +54,7 @@ pub(crate) fn declarations(input: DeriveInput, diagnostics: &mut Diagnostics) ->
     let mut seen: Vec<String> = Vec::new();
     for statement in &statements {
         let name = statement.name.to_string();
-        let repeatable = matches!(name.as_str(), "constraint" | "define" | "start" | "inputs");
+        let repeatable = matches!(name.as_str(), "constraint" | "define" | "start" | "inputs" | "independent");
         if seen.contains(&name) && !repeatable {
             diagnostics.report(&statement.name, messages::statement_twice(&name));
         } else {
@@ -133,7 +133,7 @@ fn read(statement: &Statement, model: &mut Declarations, diagnostics: &mut Diagn
         "independent" => {
             let entries =
                 entries.iter().filter_map(|entry| quantity(&entry.tokens, entry.place(), diagnostics)).collect();
-            model.independent = Some(Independent { entries, span });
+            model.independent.push(Independent { entries, span });
         }
         "complement" => {
             let rows = entries.iter().filter_map(|entry| complement_row(entry, diagnostics)).collect();

@@ -55,7 +55,7 @@ fn the_disk_in_six_speeds() {
     assert_all(&mut s, &[contact], &["v3 - r*v4"]);
     let RowKind::Position(height) = s.rows[3].kind else { panic!("not a position row") };
     assert_all(&mut s, &[height], &["z"]);
-    let independent: Vec<_> = s.independent.clone().unwrap().into_iter().map(|speed| speed.expr).collect();
+    let independent: Vec<_> = s.independent[0].speeds.iter().map(|speed| speed.expr).collect();
     assert_all(&mut s, &independent, &["v6", "v5", "v4"]);
     assert_eq!(s.start[0], (s.coordinates[4], std::f64::consts::PI / 6.0));
     assert_eq!(s.start[1], (s.speeds[5], -6.0));
@@ -77,7 +77,7 @@ fn the_disk_in_five_coordinates() {
     assert_eq!(names(&configuration.coordinates), ["x", "y", "phi", "theta", "psi"]);
     assert_eq!(names(&configuration.rates), ["dot_x", "dot_y", "dot_phi", "dot_theta", "dot_psi"]);
     assert_all(&mut s, &configuration.map, &["x", "y", "0", "phi", "theta", "psi"]);
-    let independent: Vec<_> = s.independent.clone().unwrap().into_iter().map(|speed| speed.expr).collect();
+    let independent: Vec<_> = s.independent[0].speeds.iter().map(|speed| speed.expr).collect();
     let rates = s.graph.vars(&configuration.rates[2..]);
     assert_eq!(independent, rates);
     // (6.1a) with dot(x) by (6.2).
@@ -126,7 +126,7 @@ fn further_coordinates() {
     let configuration = s.configuration.clone().unwrap();
     assert_eq!(configuration.coordinates.len(), 1);
     assert_all(&mut s, &configuration.map, &["l*sin(alpha)", "-l*cos(alpha)"]);
-    let independent = s.independent.clone().unwrap()[0].expr;
+    let independent = s.independent[0].speeds[0].expr;
     assert_all(&mut s, &[independent], &["dot_alpha"]);
 }
 

@@ -167,9 +167,9 @@ pub fn disk_stage() -> Equations {
         reduced_speeds: v.clone(),
         coordinate_rates: vars.clone(),
         initial_coordinates: g.vars(&x),
-        velocities: vars,
+        velocities: vars.clone(),
         coordinates: x,
-        speeds: v,
+        speeds: v.clone(),
         velocity_rates: accelerations.clone(),
         accelerations,
         mass_matrix: m.clone(),
@@ -192,6 +192,10 @@ pub fn disk_stage() -> Equations {
         position_names: Vec::new(),
         multiplier_names: Vec::new(),
         multiplier_rows: Vec::new(),
+        chart_speeds: vec![vars.clone()],
+        carriers: v.clone(),
+        carried_velocities: vars.clone(),
+        carried_rates: vars.clone(),
         ..equations
     }
 }

@@ -20,9 +20,9 @@ pub(crate) fn check(equations: &Equations) -> Programs {
     let programs = programs(equations).expect("the functions read what they may");
     for run in 0..3 {
         let values = value(run);
-        for program in &programs.functions {
+        for program in programs.functions.iter().chain(&programs.charts) {
             let exact = equations.graph.evaluate(&program.entry.roots(), &values);
-            let found = programs.evaluate(equations, program.entry.name, &values).expect("a known function");
+            let found = programs.evaluate(equations, &program.entry.name, &values).expect("a known function");
             for (k, (a, b)) in exact.iter().zip(&found).enumerate() {
                 assert!(
                     (a - b).abs() <= 1e-11 * (1.0 + a.abs()),
@@ -281,5 +281,5 @@ fn a_function_reads_only_what_it_may() {
     let mut equations = pendulum();
     equations.forcing = vec![equations.graph.var(equations.speeds[1])];
     let error = programs(&equations).unwrap_err();
-    assert_eq!((error.function, error.symbol.as_str()), ("forcing", "dot_y"));
+    assert_eq!((error.function.as_str(), error.symbol.as_str()), ("forcing", "dot_y"));
 }

@@ -78,6 +78,7 @@ pub fn reduce(given: Given) -> Equations {
         }
     }
     let zero = g.zero();
+    let chart_speeds = vec![of_u.clone()];
     let multiplier_rows = (0..given.names.len()).map(Some).collect();
     Equations {
         time: given.time,
@@ -89,7 +90,7 @@ pub fn reduce(given: Given) -> Equations {
         initial_coordinates: graph.vars(&x),
         kinematic_bias: vec![zero; x.len()],
         coordinates: x,
-        speeds: v,
+        speeds: v.clone(),
         coordinate_rates: rates,
         accelerations,
         mass_matrix: m_d,
@@ -114,6 +115,11 @@ pub fn reduce(given: Given) -> Equations {
         position_names: given.names.iter().take(0).cloned().collect(),
         multiplier_names: given.names,
         multiplier_rows,
+        charts: Vec::new(),
+        chart_speeds,
+        carriers: v.clone(),
+        carried_velocities: all_v.clone(),
+        carried_rates: rates_v.clone(),
         notes: vec!["written by hand".to_owned()],
         graph,
     }

@@ -68,7 +68,7 @@ fn every_statement_is_read() {
     let configuration = model.configuration.unwrap();
     assert_eq!(names(&configuration.further), ["s"]);
     assert_eq!(configuration.map.len(), 2);
-    assert_eq!(model.independent.unwrap().entries.len(), 2);
+    assert_eq!(model.independent[0].entries.len(), 2);
     let complement = model.complement.unwrap().rows;
     assert_eq!(complement[1].name, "w2");
     assert_eq!(complement[0].entries.len(), 3);
