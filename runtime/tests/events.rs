@@ -23,7 +23,7 @@ fn the_pendulum_passes_its_lowest_point_every_half_period() {
     // K(1/√2) by the arithmetic-geometric mean: released level, k = sin 45°.
     let (mut a, mut b) = (1.0, std::f64::consts::FRAC_1_SQRT_2);
     for _ in 0..8 {
-        (a, b) = (0.5 * (a + b), (a * b as f64).sqrt());
+        (a, b) = (0.5 * (a + b), f64::sqrt(a * b));
     }
     let quarter = std::f64::consts::FRAC_PI_2 / a * (0.5f64 / 9.81).sqrt();
     let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare().unwrap();
