@@ -6,6 +6,7 @@ mod course;
 mod dop853;
 mod emitted;
 mod equations;
+mod events;
 mod flow;
 mod general;
 mod guards;
@@ -19,6 +20,7 @@ mod tests;
 mod trajectory;
 
 use alloc::boxed::Box;
+use alloc::vec::Vec;
 use core::fmt;
 
 use crate::assemble::check_finite;
@@ -32,8 +34,9 @@ use guards::Watch;
 use kernel::{Pace, Plan};
 
 pub use charts::{Chart, Charts, FLAT, STEEP};
+pub use events::{Event, Occurrence};
 pub use guards::SINGULAR;
-pub use inputs::{InputSource, NoInputs};
+pub use inputs::{InputSource, NoInputs, Sampled};
 pub use trajectory::{Interrupted, Residuals, Statistics, Trajectory};
 
 /// The residual that a start may have in f and φ, as a fraction of the terms of the constraint.
@@ -108,6 +111,7 @@ pub struct Simulation<'a, M: ConstrainedSystem, I = NoInputs> {
     charts: Charts,
     baumgarte: Baumgarte,
     velocities: Option<M::Velocities<f64>>,
+    events: Vec<Event<'a, M>>,
     source: I,
     progress: Option<Box<dyn FnMut(f64) + 'a>>,
 }
@@ -146,6 +150,7 @@ impl<M: ConstrainedSystem> Prepared<M> {
             charts: Charts::Change,
             baumgarte: None,
             velocities: None,
+            events: Vec::new(),
             source: NoInputs,
             progress: None,
         }
@@ -261,14 +266,76 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
         self
     }
 
+    /// Watches for an event; may be called for several. See [`Event`].
+    #[must_use]
+    pub fn event(mut self, event: Event<'a, M>) -> Self {
+        self.events.push(event);
+        self
+    }
+
+    /// Ends the run where a function of the time and the state runs through zero.
+    ///
+    /// ```
+    /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+    /// # use models::{Pendulum, PendulumState};
+    /// use holonomy::prelude::*;
+    ///
+    /// let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
+    /// let start = PendulumState { x: 0.3, y: -0.4, dot_x: 0.0 };
+    /// let run = pendulum.simulate(start).stop_at("bottom", |_, s| s.x).until(10.0)?;
+    /// let (t, bottom) = run.last();
+    /// assert!(t < 1.0 && bottom.x.abs() < 1e-12);
+    /// assert_eq!(run.events()[0].name, "bottom");
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn stop_at(self, name: &'static str, function: impl FnMut(f64, &M::State<f64>) -> f64 + 'a) -> Self {
+        self.event(Event::new(name, function).stop())
+    }
+
     /// Gives the inputs as a function of the time and the state.
     ///
-    /// The adaptive methods expect smooth inputs: integrate up to a jump and start again after it.
+    /// The adaptive methods expect smooth inputs: where they jump at known times use [`sampled`](Simulation::sampled), where they
+    /// jump by the state an [`Event`] that stops the run, and start again after it. Inputs that are zero for a while may be stepped
+    /// over: bound the steps by [`max_step`](Simulation::max_step).
     #[must_use]
     pub fn inputs<F>(self, source: F) -> Simulation<'a, M, F>
     where
         F: FnMut(f64, &M::State<f64>) -> M::Inputs<f64>,
     {
+        self.with_source(source)
+    }
+
+    /// Gives the inputs by a digital controller: computed at the start and after every period, and held in between. The steps end at
+    /// every sample.
+    ///
+    /// ```
+    /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/oscillator.rs")); }
+    /// # use models::{Oscillator, OscillatorInputs, OscillatorState};
+    /// use holonomy::prelude::*;
+    ///
+    /// // A free mass that is brought to rest in two periods of a quarter: deadbeat control.
+    /// let (m, period) = (2.0, 0.25);
+    /// let mass = Oscillator { m, a: 0.0, k: 0.0, c: 0.0, b: 0.0 }.prepare()?;
+    /// let run = mass
+    ///     .simulate(OscillatorState { x: 1.0, dot_x: 0.0 })
+    ///     .sampled(period, move |_, s| OscillatorInputs {
+    ///         tau: -m * (s.x / (period * period) + 1.5 * s.dot_x / period),
+    ///     })
+    ///     .until(1.0)?;
+    /// let at_rest = run.at(0.75)?;
+    /// assert!(at_rest.x.abs() < 1e-12 && at_rest.dot_x.abs() < 1e-12);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn sampled<F>(self, period: f64, controller: F) -> Simulation<'a, M, Sampled<F, M::Inputs<f64>>>
+    where
+        F: FnMut(f64, &M::State<f64>) -> M::Inputs<f64>,
+    {
+        self.with_source(Sampled::new(period, controller))
+    }
+
+    fn with_source<J>(self, source: J) -> Simulation<'a, M, J> {
         Simulation {
             model: self.model,
             start: self.start,
@@ -282,6 +349,7 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
             charts: self.charts,
             baumgarte: self.baumgarte,
             velocities: self.velocities,
+            events: self.events,
             source,
             progress: self.progress,
         }
@@ -355,6 +423,12 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
                 Pace::Adaptive { tolerance: self.tolerance, longest: self.longest }
             }
         };
+        if let Some(period) = self.source.period() {
+            positive("sampling period", period)?;
+            if period < SPACING * (end - from).abs() {
+                return Err(Error::StepTooSmall { step: period, time: from });
+            }
+        }
         if !I::GIVEN && !M::MODEL.inputs.is_empty() {
             return Err(Error::MissingInputs { inputs: M::MODEL.inputs });
         }
@@ -381,10 +455,22 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
             manifold: manifold.filter(|_| self.baumgarte.is_none()),
             charts: self.charts,
             baumgarte: self.baumgarte,
+            events: self.events,
             progress: self.progress,
         };
         Ok((plan, course))
     }
+}
+
+/// f and φ of a state that takes the place of another one.
+fn check_on_manifold<M: ConstrainedSystem>(
+    model: &Prepared<M>,
+    t: f64,
+    s: &M::State<f64>,
+    v: &M::Velocities<f64>,
+) -> Result<(), Error> {
+    check_position(model, t, s)?;
+    check_velocity(model, t, s, v)
 }
 
 /// f at the start; gives the manifold to stay on where the state holds the coordinates of position rows.

@@ -1,10 +1,13 @@
 //! A model on its way through a plan, from chart to chart.
 
 use alloc::boxed::Box;
+use alloc::vec::Vec;
 
 use super::charts::{Chart, Charts, Quality, STEEP};
+use super::check_on_manifold;
 use super::emitted::Emitted;
 use super::equations::{Baumgarte, Equations};
+use super::events::{Event, Events, Verdict};
 use super::flow::Flow;
 use super::general::{General, point};
 use super::guards::{Watch, of_chart};
@@ -12,6 +15,7 @@ use super::inputs::InputSource;
 use super::kernel::{Exit, Plan, Run};
 use super::tableau::Tableau;
 use super::trajectory::{Standing, Trajectory};
+use crate::assemble::check_finite;
 use crate::carriers::{Carriers, with_speeds};
 use crate::drift::Drift;
 use crate::manifold::Manifold;
@@ -25,6 +29,7 @@ pub(super) struct Course<'a, M: ConstrainedSystem, I> {
     pub(super) manifold: Option<Manifold<M>>,
     pub(super) charts: Charts,
     pub(super) baumgarte: Baumgarte,
+    pub(super) events: Vec<Event<'a, M>>,
     pub(super) progress: Option<Box<dyn FnMut(f64) + 'a>>,
 }
 
@@ -48,11 +53,30 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
         {
             chart = better(quality, self.model, plan.start, &standing.0);
         }
-        let mut run = Run::new(tableau, plan, trajectory, self.progress.take());
+        let mut events = Events::new(core::mem::take(&mut self.events));
+        events.start(plan.start, &standing.0);
+        let mut run = Run::new(tableau, plan, trajectory, events, self.progress.take());
+        let mut samples = Samples::new(self.source.period(), plan);
+        let mut crowd = Crowd::default();
         let result = loop {
+            run.barrier = samples.next();
             let result = self.leg(chart, &mut run, quality.as_ref(), &mut standing);
             let next = match (&quality, result) {
-                (_, Ok(Exit::End)) => break Ok(()),
+                (_, Ok(Exit::Barrier)) if run.t == plan.end => break Ok(()),
+                (_, Ok(Exit::Barrier)) => {
+                    samples.taken += 1;
+                    self.source.sample(run.t, &standing.0);
+                    run.begin();
+                    chart
+                }
+                (_, Ok(Exit::Event(Verdict::Reset(event)))) => match self.reset(&mut run, event, &mut standing) {
+                    Ok(()) if crowd.grows(run.t) => break Err(Error::StepTooSmall { step: 0.0, time: run.t }),
+                    // At the end of the run there is nothing left to step into.
+                    Ok(()) if run.t == plan.end => break Ok(()),
+                    Ok(()) => chart,
+                    Err(error) => break Err(error),
+                },
+                (_, Ok(Exit::Event(_))) => break Ok(()),
                 (Some(quality), Ok(Exit::Leaves)) => better(quality, self.model, run.t, &standing.0),
                 (Some(_), Err(error)) if is_of_chart::<M>(chart, &error) => Chart::General,
                 (None, Ok(Exit::Leaves)) => chart,
@@ -66,6 +90,25 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
             run.trajectory.push(run.t, standing.0, standing.1);
         }
         result
+    }
+
+    /// Puts another state in place of the one at an event.
+    fn reset<const S: usize>(
+        &mut self,
+        run: &mut Run<'_, '_, M, S>,
+        event: usize,
+        standing: &mut Standing<M>,
+    ) -> Result<(), Error> {
+        let s = run.events.reset(event, run.t, &standing.0);
+        check_finite::<M>(run.t, &s)?;
+        let v = self.model.velocities(run.t, &s);
+        check_on_manifold(self.model, run.t, &s, &v)?;
+        run.events.start(run.t, &s);
+        run.events.leave(event);
+        run.trajectory.push(run.t, s, v);
+        *standing = (s, v);
+        run.begin();
+        Ok(())
     }
 
     /// What judges the charts, where the model has any that may break down, and the run may change them.
@@ -148,4 +191,43 @@ fn is_of_chart<M: ConstrainedSystem>(chart: Chart, error: &Error) -> bool {
     };
     let guards = M::MODEL.charts.get(chart).map_or(M::MODEL.guards, |chart| chart.guards);
     guards.iter().any(|info| info.name == *guard && of_chart(info))
+}
+
+/// The instants at which a digital controller takes its samples.
+struct Samples<'r> {
+    period: Option<f64>,
+    plan: &'r Plan,
+    taken: usize,
+}
+
+impl<'r> Samples<'r> {
+    fn new(period: Option<f64>, plan: &'r Plan) -> Self {
+        Samples { period, plan, taken: 0 }
+    }
+
+    /// Where the steps must end next; from a count, so that the times do not gather rounding errors.
+    fn next(&self) -> f64 {
+        let Some(period) = self.period else { return self.plan.end };
+        let next = self.plan.start + self.plan.direction() * period * (self.taken + 1) as f64;
+        if (self.plan.end - next) * self.plan.direction() > 0.0 { next } else { self.plan.end }
+    }
+}
+
+/// Resets that follow each other without end: a ball that has come to rest on the floor.
+#[derive(Default)]
+struct Crowd {
+    last: Option<f64>,
+    count: usize,
+}
+
+impl Crowd {
+    /// The most resets within the rounding of the time.
+    const MOST: usize = 16;
+
+    fn grows(&mut self, t: f64) -> bool {
+        let close = |last: f64| (t - last).abs() <= 64.0 * f64::EPSILON * t.abs();
+        self.count = if self.last.is_some_and(close) { self.count + 1 } else { 0 };
+        self.last = Some(t);
+        self.count >= Self::MOST
+    }
 }

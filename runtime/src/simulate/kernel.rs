@@ -3,6 +3,7 @@
 use alloc::boxed::Box;
 
 use super::control::{Controller, Tolerance};
+use super::events::{Events, Verdict};
 use super::flow::{Flow, Point};
 use super::stages::{COEFFICIENTS, dense_output, evaluate, first_step, interpolate, stages};
 use super::tableau::Tableau;
@@ -42,17 +43,18 @@ impl Plan {
         if self.end < self.start { -1.0 } else { 1.0 }
     }
 
-    /// The end of the step that follows `taken` steps and starts at t, `size` long if the method may choose.
-    fn next(&self, t: f64, taken: usize, size: f64) -> f64 {
+    /// The end of the step at t, `size` long if the method may choose; no step reaches beyond the barrier. Fixed steps follow
+    /// `taken` others since a time.
+    fn next(&self, t: f64, (since, taken): (f64, usize), size: f64, barrier: f64) -> f64 {
         let (next, remainder) = match self.pace {
             // From a count, so that the times do not gather rounding errors.
             Pace::Fixed { step } => {
-                let next = self.start + self.direction() * step * (taken + 1) as f64;
+                let next = since + self.direction() * step * (taken + 1) as f64;
                 (next, FIXED_REMAINDER)
             }
             Pace::Adaptive { .. } => (t + self.direction() * size, REMAINDER),
         };
-        if (self.end - next) * self.direction() <= remainder * size { self.end } else { next }
+        if (barrier - next) * self.direction() <= remainder * size { barrier } else { next }
     }
 
     /// The time of the output after `count` ones; none where every step is kept.
@@ -77,8 +79,10 @@ impl Plan {
 /// Why a flow was left without an error.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(super) enum Exit {
-    /// The end of the plan.
-    End,
+    /// The barrier: the end of the plan, or the next sampling instant.
+    Barrier,
+    /// An event that ends the run, or puts another state in place of this one.
+    Event(Verdict),
     /// Another chart is better.
     Leaves,
 }
@@ -91,9 +95,14 @@ pub(super) struct Run<'r, 'a, M: ConstrainedSystem, const S: usize> {
     pub(super) progress: Option<Box<dyn FnMut(f64) + 'a>>,
     /// The time of the last accepted point.
     pub(super) t: f64,
+    /// Where steps must end.
+    pub(super) barrier: f64,
+    pub(super) events: Events<'a, M>,
     controller: Controller,
     /// The size of the next step, once there is one.
     size: Option<f64>,
+    /// Since when steps were taken without a cut, and how many.
+    since: (f64, usize),
     outputs: usize,
     told: f64,
 }
@@ -103,10 +112,32 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
         tableau: &'static Tableau<S>,
         plan: &'r Plan,
         trajectory: &'r mut Trajectory<M>,
+        events: Events<'a, M>,
         progress: Option<Box<dyn FnMut(f64) + 'a>>,
     ) -> Self {
         let (t, controller) = (plan.start, Controller::new(tableau));
-        Run { tableau, plan, trajectory, progress, t, controller, size: None, outputs: 0, told: 0.0 }
+        let (barrier, since) = (plan.end, (plan.start, 0));
+        Run {
+            tableau,
+            plan,
+            trajectory,
+            progress,
+            t,
+            barrier,
+            events,
+            controller,
+            size: None,
+            since,
+            outputs: 0,
+            told: 0.0,
+        }
+    }
+
+    /// Begins anew at the last accepted time: after a jump of the inputs or of the state the steps before tell nothing.
+    pub(super) fn begin(&mut self) {
+        self.since = (self.t, 0);
+        self.size = None;
+        self.controller = Controller::new(self.tableau);
     }
 
     /// Takes the steps to the end of the plan, or until the chart is to be changed. `y` is the last accepted point, also when it
@@ -125,13 +156,13 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
             Some(size) => size,
             None => self.first_size(flow, y, &rate),
         };
-        while self.t != plan.end {
+        while self.t != self.barrier {
             let statistics = &mut self.trajectory.statistics;
             if statistics.accepted + statistics.rejected >= plan.max_steps {
                 return Err(Error::TooManySteps { steps: plan.max_steps, time: self.t });
             }
             let t = self.t;
-            let next = plan.next(t, statistics.accepted, size);
+            let next = plan.next(t, self.since, size, self.barrier);
             let h = next - t;
             if h.abs() <= 4.0 * f64::EPSILON * t.abs() || h == 0.0 {
                 return Err(flow.suspect(t, y).unwrap_or(Error::StepTooSmall { step: h, time: t }));
@@ -164,7 +195,8 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
                 Pace::Fixed { .. } => {}
             }
 
-            let dense = plan.dense || plan.output_within(self.outputs, next, h).is_some();
+            let watched = !self.events.is_empty();
+            let dense = plan.dense || watched || plan.output_within(self.outputs, next, h).is_some();
             if dense && tableau.stages < S {
                 self.trajectory.statistics.evaluations += S - tableau.stages;
                 stages(flow, tableau, tableau.stages..S, false, (t, h), y, &mut k)?;
@@ -181,47 +213,53 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
                 flow.judge(next, guards)?;
             }
 
+            let (mut next, mut cut) = (next, None);
+            let mut coefficients = [*y; COEFFICIENTS];
+            let mut count = 0;
+            if dense {
+                count = dense_output(tableau, h, &k, y, &ahead, &mut coefficients);
+            }
+            if watched && let Some((at, point, verdict)) = self.watch(flow, (t, next, h), &coefficients[..count])? {
+                (next, ahead, cut) = (at, point, Some(verdict));
+            }
             self.trajectory.accept(flow.chart(), flow.residuals());
-            let base = *y;
             (self.t, *y) = (next, ahead);
+            self.since.1 += 1;
             self.size = Some(size);
             if dense {
-                let mut coefficients = [base; COEFFICIENTS];
-                let count = dense_output(tableau, h, &k, &base, &ahead, &mut coefficients);
-                self.between(flow, (t, next), &coefficients[..count])?;
+                self.between(flow, (t, next, h), &coefficients[..count])?;
             }
             k[0] = k[last];
             let kept = plan.output_at(self.outputs, next, h);
             self.outputs += usize::from(kept);
-            if kept || next == plan.end {
+            if kept || next == plan.end || cut.is_some() {
                 let (s, v) = flow.view(next, y);
                 self.trajectory.push(next, s, v);
             }
             self.tell(next);
-            if next != plan.end && guards.is_some_and(|guards| flow.leaves(next, y, &guards)) {
+            if let Some(verdict) = cut {
+                return Ok(Exit::Event(verdict));
+            }
+            if next != self.barrier && guards.is_some_and(|guards| flow.leaves(next, y, &guards)) {
                 return Ok(Exit::Leaves);
             }
         }
-        Ok(Exit::End)
+        Ok(Exit::Barrier)
     }
 
     /// Keeps the polynomials of a step, and the outputs that lie within it.
     fn between<F: Flow<M>>(
         &mut self,
         flow: &mut F,
-        (from, next): (f64, f64),
+        (from, next, h): (f64, f64, f64),
         coefficients: &[F::Point],
     ) -> Result<(), Error> {
-        let h = next - from;
         if self.plan.dense {
             self.trajectory.push_step((from, h), flow.chart(), coefficients);
         }
         while let Some(at) = self.plan.output_within(self.outputs, next, h) {
             self.outputs += 1;
-            let mut point = coefficients[0];
-            for i in 0..point.len() {
-                *point.get_mut(i) = interpolate(coefficients.len(), (at - from) / h, |j| coefficients[j].get(i));
-            }
+            let mut point = within(coefficients, (at - from) / h);
             flow.restore(at, &mut point)?;
             let (s, v) = flow.view(at, &point);
             self.trajectory.push(at, s, v);
@@ -229,12 +267,48 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
         Ok(())
     }
 
+    /// Locates the events of a step, and records them up to the first that cuts it: then the time and the point of the cut, and
+    /// what follows from it.
+    #[inline(never)]
+    fn watch<F: Flow<M>>(
+        &mut self,
+        flow: &mut F,
+        (from, next, h): (f64, f64, f64),
+        coefficients: &[F::Point],
+    ) -> Result<Option<(f64, F::Point, Verdict)>, Error> {
+        // The end of a step is its end, whatever its length was rounded to.
+        let time = |theta: f64| if theta >= 1.0 { next } else { from + theta * h };
+        let zeros = self.events.within(|theta| {
+            let t = time(theta);
+            (t, flow.view(t, &within(coefficients, theta)).0)
+        });
+        let mut cut: Option<(f64, F::Point, Verdict)> = None;
+        let mut last = f64::INFINITY;
+        for zero in &zeros {
+            // Others at the very same time still count.
+            if zero.theta > last {
+                break;
+            }
+            let mut point = within(coefficients, zero.theta);
+            let t = time(zero.theta);
+            flow.restore(t, &mut point)?;
+            let occurrence = self.events.occurrence(zero, t, flow.view(t, &point).0);
+            self.trajectory.record(occurrence);
+            let verdict = self.events.verdict(zero);
+            if verdict != Verdict::Continue && cut.is_none() {
+                last = zero.theta;
+                cut = Some((t, point, verdict));
+            }
+        }
+        Ok(cut)
+    }
+
     fn first_size<F: Flow<M>>(&mut self, flow: &mut F, y: &F::Point, rate: &F::Point) -> f64 {
         match self.plan.pace {
             Pace::Fixed { step } => step,
             Pace::Adaptive { tolerance, longest } => {
                 self.trajectory.statistics.evaluations += 1;
-                let first = first_step(flow, self.tableau.order, self.plan, tolerance, y, rate);
+                let first = first_step(flow, (self.tableau.order, self.t), self.plan, tolerance, y, rate);
                 first.min(longest)
             }
         }
@@ -254,4 +328,13 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
             }
         }
     }
+}
+
+/// The point at a part of a step.
+fn within<P: Point>(coefficients: &[P], theta: f64) -> P {
+    let mut point = coefficients[0];
+    for i in 0..point.len() {
+        *point.get_mut(i) = interpolate(coefficients.len(), theta, |j| coefficients[j].get(i));
+    }
+    point
 }

@@ -64,13 +64,13 @@ pub(super) fn evaluate<M: ConstrainedSystem, F: Flow<M>>(flow: &mut F, t: f64, y
 /// A first step size that makes an Euler step's error small (Hairer, Nørsett, Wanner, section II.4); one evaluation.
 pub(super) fn first_step<M: ConstrainedSystem, F: Flow<M>>(
     flow: &mut F,
-    order: i32,
+    (order, t): (i32, f64),
     plan: &Plan,
     tolerance: Tolerance,
     y: &F::Point,
     k: &F::Point,
 ) -> f64 {
-    let (span, direction) = ((plan.end - plan.start).abs(), plan.direction());
+    let (span, direction) = ((plan.end - t).abs(), plan.direction());
     let size = tolerance.norm(y, y);
     let slope = tolerance.norm(k, y);
     let mut h = if size < 1e-5 || slope < 1e-5 { 1e-6 * span } else { 0.01 * size / slope };
@@ -79,7 +79,7 @@ pub(super) fn first_step<M: ConstrainedSystem, F: Flow<M>>(
     for i in 0..ahead.len() {
         *ahead.get_mut(i) += direction * h * k.get(i);
     }
-    let (mut change, _) = evaluate(flow, plan.start + direction * h, &ahead);
+    let (mut change, _) = evaluate(flow, t + direction * h, &ahead);
     for i in 0..change.len() {
         *change.get_mut(i) -= k.get(i);
     }

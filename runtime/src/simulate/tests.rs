@@ -29,6 +29,7 @@ fn run<const S: usize>(tableau: &'static Tableau<S>, pace: Pace) -> Trajectory<O
         manifold: None,
         charts: Charts::Change,
         baumgarte: None,
+        events: Vec::new(),
         progress: None,
     };
     let plan = Plan { start: 0.0, end: END, pace, every: None, dense: true, max_steps: 1_000_000 };

@@ -6,6 +6,7 @@ use core::fmt;
 
 use super::charts::Chart;
 use super::equations::Equations;
+use super::events::Occurrence;
 use super::flow::Point;
 use super::stages::interpolate;
 use crate::carriers::{Carriers, with_speeds};
@@ -44,6 +45,7 @@ pub struct Trajectory<M: ConstrainedSystem> {
     stride: usize,
     residuals: Residuals,
     counts: Vec<(Chart, usize)>,
+    events: Vec<Occurrence<M::State<f64>>>,
     pub(super) statistics: Statistics,
 }
 
@@ -103,6 +105,7 @@ impl<M: ConstrainedSystem> Trajectory<M> {
             stride: 0,
             residuals: Residuals::default(),
             counts: Vec::new(),
+            events: Vec::new(),
             statistics: Statistics::default(),
         }
     }
@@ -132,12 +135,17 @@ impl<M: ConstrainedSystem> Trajectory<M> {
         }
     }
 
+    pub(super) fn record(&mut self, occurrence: Occurrence<M::State<f64>>) {
+        self.events.push(occurrence);
+    }
+
     pub(super) fn last_velocities(&self) -> &M::Velocities<f64> {
         // As long as the times, and never empty.
         &self.velocities[self.velocities.len() - 1]
     }
 
-    /// The times of the states: every step, or what `every` asked for, and always the start and the end.
+    /// The times of the states: every step, or what `every` asked for, and always the start, the end and the time of an event that
+    /// ends the run or resets the state. A reset stands twice, with the state before and the state after it.
     pub fn times(&self) -> &[f64] {
         &self.times
     }
@@ -167,6 +175,11 @@ impl<M: ConstrainedSystem> Trajectory<M> {
     /// The charts in which the run took steps, with the number of steps, in the order in which it first entered them.
     pub fn charts(&self) -> &[(Chart, usize)] {
         &self.counts
+    }
+
+    /// The events that took place, in their order; see [`Event`](super::Event).
+    pub fn events(&self) -> &[Occurrence<M::State<f64>>] {
+        &self.events
     }
 
     /// v at the [`times`](Trajectory::times): all velocities, also where the speeds of the state do not determine them.
@@ -322,6 +335,7 @@ impl<M: ConstrainedSystem> Clone for Trajectory<M> {
             stride: self.stride,
             residuals: self.residuals,
             counts: self.counts.clone(),
+            events: self.events.clone(),
             statistics: self.statistics,
         }
     }
