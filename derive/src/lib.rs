@@ -60,8 +60,10 @@ use proc_macro::TokenStream;
 /// | `start(theta = 0.3)`, `nominal(9.81)` and `unit(kg)` on fields | figures and units that judge and document; they never enter the equations |
 /// | `holonomy(crate = path, simplify = off)` | where the runtime is found; whether cheaper forms are searched |
 ///
-/// Functions: `sin cos tan sqrt exp ln atan2(y, x) powi(x, n) dot(q)`, and in constraints `dot(v) ddot(q)`. `t` is time, `PI` is π. Literals are exact:
-/// `0.1` is one tenth, `1/2` one half.
+/// Functions: `sin cos tan asin acos atan atan2(y, x) sinh cosh tanh sqrt exp ln abs sign min(a, b) max(a, b) powi(x, n)
+/// powf(x, y) dot(q)`, and in constraints `dot(v) ddot(q)`, with `sign(0)` = 0. `if a < b { .. } else { .. }`, with `<`, `<=`, `>` or `>=`, selects: both
+/// branches are evaluated, one is taken, and derivatives are those of the branch that is taken. `t` is time, `PI` is π.
+/// Literals are exact: `0.1` is one tenth, `1/2` one half.
 ///
 /// # What it emits
 ///

@@ -85,11 +85,13 @@ impl Writer<'_> {
             Operation::Sine(a) => self.call(out, *a, "sin_cos().0"),
             Operation::Cosine(a) => self.call(out, *a, "sin_cos().1"),
             Operation::Root(a) => self.call(out, *a, "sqrt()"),
-            Operation::Exp(a) => self.call(out, *a, "exp()"),
-            Operation::Ln(a) => self.call(out, *a, "ln()"),
-            Operation::Atan2(a, b) => {
-                self.call(out, *a, "atan2(");
-                self.write(out, *b, Binding::Sum, false);
+            Operation::Call(function, arguments) => {
+                self.call(out, arguments[0], function.name());
+                out.push('(');
+                for (k, argument) in arguments[1..].iter().enumerate() {
+                    out.push_str(if k == 0 { "" } else { ", " });
+                    self.write(out, *argument, Binding::Sum, false);
+                }
                 out.push(')');
             }
         }

@@ -6,7 +6,7 @@ use super::context::Context;
 use super::functions::{Call, wrong_number_of_arguments};
 use super::names::{Meaning, Mentions, Names};
 use crate::symbolic::{Expr, Graph, Kind, Rational, Symbol};
-use crate::syntax::{Declarations, Diagnostics, Expression, Operator, Term, messages};
+use crate::syntax::{Comparison, Declarations, Diagnostics, Expression, Operator, Term, messages};
 
 /// An expression of the graph and what it mentions.
 #[derive(Clone, Copy, Debug)]
@@ -144,6 +144,16 @@ impl<'a> Vocabulary<'a> {
                         }
                     }
                 }
+                Term::If(comparison, operands) => {
+                    let [left, right, then, other] =
+                        operands.map(|at| take(&mut values, at).map(|value| value.finish(&mut self.graph)));
+                    match (left, right, then, other) {
+                        (Some(left), Some(right), Some(then), Some(other)) => {
+                            Some(Value::Expr(self.choose(*comparison, [left, right], [then, other])))
+                        }
+                        _ => None,
+                    }
+                }
                 Term::Call(function, arguments) if named_function(function) => {
                     let lowered = self.dot(function, *span, arguments, terms, context, diagnostics);
                     mentions |= lowered.map_or(Mentions::NONE, |lowered| lowered.mentions);
@@ -162,6 +172,21 @@ impl<'a> Vocabulary<'a> {
         }
         let expr = values.pop()??.finish(&mut self.graph);
         Some(Lowered { expr, mentions })
+    }
+
+    /// `if left < right { then } else { other }`, and the same with `<=`, as a selection by the sign of a difference.
+    fn choose(&mut self, comparison: Comparison, [left, right]: [Expr; 2], [then, other]: [Expr; 2]) -> Expr {
+        let graph = &mut self.graph;
+        match comparison {
+            Comparison::Less => {
+                let difference = graph.sub(left, right);
+                graph.select(difference, then, other)
+            }
+            Comparison::AtMost => {
+                let difference = graph.sub(right, left);
+                graph.select(difference, other, then)
+            }
+        }
     }
 
     /// A name and what it mentions, if that may occur here.

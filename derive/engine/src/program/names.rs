@@ -157,9 +157,14 @@ impl Names {
             Operation::Sine(a) => format!("sin_{}", of(*a)?),
             Operation::Cosine(a) => format!("cos_{}", of(*a)?),
             Operation::Root(a) => format!("root_{}", of(*a)?),
-            Operation::Atan2(a, b) => format!("atan2_{}_{}", of(*a)?, of(*b)?),
-            Operation::Exp(a) => format!("exp_{}", of(*a)?),
-            Operation::Ln(a) => format!("ln_{}", of(*a)?),
+            Operation::Call(function, arguments) => {
+                let mut text = function.name().to_owned();
+                for argument in arguments {
+                    text.push('_');
+                    text.push_str(&of(*argument)?);
+                }
+                text
+            }
         };
         (text.len() <= LONGEST).then_some(text)
     }

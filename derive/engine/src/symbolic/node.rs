@@ -70,7 +70,7 @@ impl Kind {
     }
 }
 
-/// An elementary function. `tan` is built from sine and cosine.
+/// An elementary function. `tan` is built from sine and cosine, `min` and `max` from a selection.
 #[derive(Copy, Clone, Eq, PartialEq, Ord, PartialOrd, Hash, Debug)]
 pub enum Function {
     /// Sine.
@@ -85,6 +85,26 @@ pub enum Function {
     Exp,
     /// Natural logarithm.
     Ln,
+    /// Inverse sine, in [-π/2, π/2].
+    Asin,
+    /// Inverse cosine, in [0, π].
+    Acos,
+    /// Inverse tangent, in (-π/2, π/2).
+    Atan,
+    /// Hyperbolic sine.
+    Sinh,
+    /// Hyperbolic cosine.
+    Cosh,
+    /// Hyperbolic tangent.
+    Tanh,
+    /// Absolute value.
+    Abs,
+    /// -1, 0 or 1.
+    Sign,
+    /// A real power; arguments base, exponent.
+    Power,
+    /// The second argument where the first is negative, else the third.
+    Select,
 }
 
 impl Function {
@@ -97,6 +117,16 @@ impl Function {
             Function::Atan2 => "atan2",
             Function::Exp => "exp",
             Function::Ln => "ln",
+            Function::Asin => "asin",
+            Function::Acos => "acos",
+            Function::Atan => "atan",
+            Function::Sinh => "sinh",
+            Function::Cosh => "cosh",
+            Function::Tanh => "tanh",
+            Function::Abs => "abs",
+            Function::Sign => "sign",
+            Function::Power => "powf",
+            Function::Select => "select",
         }
     }
 }

@@ -61,15 +61,13 @@ fn every_message_about_an_expression() {
         (
             r#"#[forces(powi(x, y), powi(x, 1/2))]"#,
             &[
-                "1:10 `powi`: the exponent of `powi` is an integer between -999 and 999; use `sqrt` or `exp` and `ln` for other powers",
-                "1:22 `powi`: the exponent of `powi` is an integer between -999 and 999; use `sqrt` or `exp` and `ln` for other powers",
+                "1:10 `powi`: the exponent of `powi` is an integer between -999 and 999; use `powf` for other powers",
+                "1:22 `powi`: the exponent of `powi` is an integer between -999 and 999; use `powf` for other powers",
             ],
         ),
         (
             r#"#[forces(powi(x, 1000), powi(x, 2 - 3))]"#,
-            &[
-                "1:10 `powi`: the exponent of `powi` is an integer between -999 and 999; use `sqrt` or `exp` and `ln` for other powers",
-            ],
+            &["1:10 `powi`: the exponent of `powi` is an integer between -999 and 999; use `powf` for other powers"],
         ),
         (
             r#"#[forces(sqrt(-1), ln(0))]"#,
@@ -78,6 +76,25 @@ fn every_message_about_an_expression() {
         (
             r#"#[forces(atan2(0, 0), ln(-2))]"#,
             &["1:10 `atan2`: `atan2` has no real value here", "1:23 `ln`: `ln` has no real value here"],
+        ),
+        (
+            r#"#[forces(asin(2), acos(-3/2))]"#,
+            &["1:10 `asin`: `asin` has no real value here", "1:19 `acos`: `acos` has no real value here"],
+        ),
+        (
+            r#"#[forces(powf(-2, 1/3), powf(x - x, -3/2))]"#,
+            &["1:10 `powf`: `powf` has no real value here", "1:25 `powf`: division by zero"],
+        ),
+        (
+            r#"#[forces(pow(x, y), max(x, y, 1))]"#,
+            &[
+                "1:10 `pow`: there is no function `pow`; did you mean `powf`?",
+                "1:21 `max`: `max` takes 2 arguments, not 3",
+            ],
+        ),
+        (
+            r#"#[forces(if x < yy { 1/0 } else { y }, 0)]"#,
+            &["1:17 `yy`: cannot find `yy` in this model; did you mean `y`?", "1:23 `/`: division by zero"],
         ),
         (
             r#"#[forces(dot(x*y), dot(m))]"#,
@@ -108,4 +125,35 @@ fn every_message_about_an_expression() {
     for (statements, expected) in table {
         assert_eq!(of(statements), *expected, "{statements}");
     }
+}
+
+/// The graph's text of each force of a model with the coordinates x and y and the parameter m.
+fn forces(entries: &str) -> Vec<String> {
+    let source = format!("#[coordinates(x, y)] #[inertia(diag(m, m))] #[forces({entries})] struct Model {{ m: f64 }}");
+    let system = super::super::build(&super::declarations(&source)).unwrap();
+    system.forces.iter().map(|e| system.graph.display(*e)).collect()
+}
+
+#[test]
+fn a_choice_is_a_selection_by_a_sign() {
+    assert_eq!(
+        forces("if x < y { m } else { 2 }, if x > y { m } else { 2 }"),
+        ["if x - y < 0 { m } else { 2 }", "if y - x < 0 { m } else { 2 }"]
+    );
+    assert_eq!(
+        forces("if x <= y { m } else { 2 }, if x >= y { m } else { 2 }"),
+        ["if y - x < 0 { 2 } else { m }", "if x - y < 0 { 2 } else { m }"]
+    );
+    assert_eq!(
+        forces("m*if x < 0 { 1 } else if x < 1 { y } else { 2 }, if 1 < 2 { x } else { y }"),
+        ["m*(if x < 0 { 1 } else { if x - 1 < 0 { y } else { 2 } })", "x"]
+    );
+}
+
+#[test]
+fn functions_that_are_built_of_others() {
+    assert_eq!(forces("min(x, y), max(y, x)"), ["if x - y < 0 { x } else { y }", "if x - y < 0 { y } else { x }"]);
+    assert_eq!(forces("powf(x, 5/2), powf(m, x)"), ["powi(x, 2)*sqrt(x)", "powf(m, x)"]);
+    assert_eq!(forces("abs(-2*x), sign(-2*x)"), ["2*abs(x)", "-sign(x)"]);
+    assert_eq!(forces("asin(-x) + atan(1), cosh(-x)*tanh(-y)"), ["PI/4 - asin(x)", "-cosh(x)*tanh(y)"]);
 }

@@ -101,7 +101,7 @@ messages! {
     attribute_in_expression() =
         "attributes cannot stand inside an expression";
     foreign_syntax() =
-        "not part of an equation: use numbers, names, `+ - * /`, parentheses and functions";
+        "not part of an equation: use numbers, names, `+ - * /`, parentheses, functions and `if`";
     operator(operator) =
         "the operator `{operator}` is not part of an equation: use `+`, `-`, `*` and `/`";
     caret() =
@@ -126,8 +126,18 @@ messages! {
         "arrays are not supported yet; write the components one by one";
     tuple() =
         "a tuple is not a number; separate entries by commas without parentheses";
-    condition(keyword) =
-        "`{keyword}` is not supported yet";
+    choice_by_match() =
+        "`match` is not part of an equation; write `if a < b {{ .. }} else {{ .. }}`";
+    else_missing() =
+        "an `if` without `else` has no value where its condition does not hold; add `else {{ .. }}`";
+    condition_form() =
+        "the condition of an `if` compares two expressions, by `<`, `<=`, `>` or `>=`";
+    condition_joined() =
+        "conditions cannot be joined; nest one `if` in another";
+    condition_of_equality() =
+        "numbers of a motion are equal at instants only; compare by `<`, `<=`, `>` or `>=`";
+    branch_form() =
+        "a branch holds one expression, its value; name parts of it with `define`";
     cast() =
         "casts are not needed: every expression is a number";
     underscore() =
@@ -190,7 +200,7 @@ messages! {
     wrong_number_of_arguments(function, expected, found) =
         "`{function}` takes {expected}, not {found}";
     exponent(most) =
-        "the exponent of `powi` is an integer between -{most} and {most}; use `sqrt` or `exp` and `ln` for other powers";
+        "the exponent of `powi` is an integer between -{most} and {most}; use `powf` for other powers";
     division_by_zero() =
         "division by zero";
     undefined(function) =

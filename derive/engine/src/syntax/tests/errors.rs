@@ -142,21 +142,67 @@ fn rust_that_is_no_equation() {
         (r#"[1; 2]"#, &["1:22 `[`: arrays are not supported yet; write the components one by one"]),
         (r#"(1, 2)"#, &["1:22 `(`: a tuple is not a number; separate entries by commas without parentheses"]),
         (r#"()"#, &["1:22 `(`: a tuple is not a number; separate entries by commas without parentheses"]),
-        (r#"if a < b { 1 } else { 2 }"#, &["1:22 `if`: `if` is not supported yet"]),
-        (r#"match x {}"#, &["1:22 `match`: `match` is not supported yet"]),
+        (
+            r#"if a < b { 1 }"#,
+            &["1:22 `if`: an `if` without `else` has no value where its condition does not hold; add `else { .. }`"],
+        ),
+        (
+            r#"if a { 1 } else { 2 }"#,
+            &["1:25 `a`: the condition of an `if` compares two expressions, by `<`, `<=`, `>` or `>=`"],
+        ),
+        (
+            r#"if a + b { c^2 } else { 2 }"#,
+            &[
+                "1:27 `+`: the condition of an `if` compares two expressions, by `<`, `<=`, `>` or `>=`",
+                "1:34 `^`: `^` is not a power in Rust; write `powi(x, 2)`",
+            ],
+        ),
+        (
+            r#"if a < b && c < d { 1 } else { 2 }"#,
+            &["1:31 `&&`: conditions cannot be joined; nest one `if` in another"],
+        ),
+        (
+            r#"if (a == b) { 1 } else { 2 }"#,
+            &["1:25 `(a == b)`: the condition of an `if` compares two expressions, by `<`, `<=`, `>` or `>=`"],
+        ),
+        (
+            r#"if a != b { 1 } else { 2 }"#,
+            &["1:27 `!=`: numbers of a motion are equal at instants only; compare by `<`, `<=`, `>` or `>=`"],
+        ),
+        (
+            r#"if a < b { let c = 1; c } else { 2 }"#,
+            &["1:31 `{ let c = 1; c }`: a branch holds one expression, its value; name parts of it with `define`"],
+        ),
+        (
+            r#"if a < b { } else if a < c { 1 } else { d; }"#,
+            &[
+                "1:31 `{ }`: a branch holds one expression, its value; name parts of it with `define`",
+                "1:60 `{ d; }`: a branch holds one expression, its value; name parts of it with `define`",
+            ],
+        ),
+        (r#"match x {}"#, &["1:22 `match`: `match` is not part of an equation; write `if a < b { .. } else { .. }`"]),
         (r#"x as f64"#, &["1:24 `as`: casts are not needed: every expression is a number"]),
         (r#"_"#, &["1:22 `_`: `_` stands for an entry by symmetry in `inertia(matrix(..))` only"]),
         (r#"&x"#, &["1:22 `&`: the operator `&` is not part of an equation: use `+`, `-`, `*` and `/`"]),
         (r#"*x"#, &["1:22 `*`: the operator `*` is not part of an equation: use `+`, `-`, `*` and `/`"]),
         (r#"!x"#, &["1:22 `!`: the operator `!` is not part of an equation: use `+`, `-`, `*` and `/`"]),
         (r#"x?"#, &["1:23 `?`: the operator `?` is not part of an equation: use `+`, `-`, `*` and `/`"]),
-        (r#"{ x }"#, &["1:22 `{`: not part of an equation: use numbers, names, `+ - * /`, parentheses and functions"]),
+        (
+            r#"{ x }"#,
+            &["1:22 `{`: not part of an equation: use numbers, names, `+ - * /`, parentheses, functions and `if`"],
+        ),
         (
             r#"foo!(x)"#,
-            &["1:25 `!`: not part of an equation: use numbers, names, `+ - * /`, parentheses and functions"],
+            &["1:25 `!`: not part of an equation: use numbers, names, `+ - * /`, parentheses, functions and `if`"],
         ),
-        (r#"|x| x"#, &["1:22 `|`: not part of an equation: use numbers, names, `+ - * /`, parentheses and functions"]),
-        (r#"x..y"#, &["1:22 `x`: not part of an equation: use numbers, names, `+ - * /`, parentheses and functions"]),
+        (
+            r#"|x| x"#,
+            &["1:22 `|`: not part of an equation: use numbers, names, `+ - * /`, parentheses, functions and `if`"],
+        ),
+        (
+            r#"x..y"#,
+            &["1:22 `x`: not part of an equation: use numbers, names, `+ - * /`, parentheses, functions and `if`"],
+        ),
         (r#""text""#, &["1:22 `\"text\"`: only integers and decimal fractions are numbers here"]),
         (r#"true"#, &["1:22 `true`: only integers and decimal fractions are numbers here"]),
         (r#"1.0f64"#, &["1:22 `1.0f64`: write `1.0` without the suffix `f64`: numbers are exact and have no type"]),
@@ -179,7 +225,7 @@ fn rust_that_is_no_equation() {
         ),
         (
             r#"return"#,
-            &["1:22 `return`: not part of an equation: use numbers, names, `+ - * /`, parentheses and functions"],
+            &["1:22 `return`: not part of an equation: use numbers, names, `+ - * /`, parentheses, functions and `if`"],
         ),
         (r#"async"#, &["1:22 `async`: cannot read this expression: expected an expression"]),
         (r#"-"#, &["1:22 `-`: cannot read this expression: unexpected end of input, expected an expression"]),
@@ -187,6 +233,14 @@ fn rust_that_is_no_equation() {
     for (expression, expected) in table {
         assert_eq!(of_expression(expression), *expected, "{expression}");
     }
+}
+
+/// Comparisons, and choices one beside the other, may be many: they do not descend.
+#[test]
+fn choices_do_not_add_up() {
+    let choice = "if f(a) <= g(b) { -c } else if a > b { 0 } else { h(c, 2) }";
+    let sum: Vec<String> = (0..100).map(|_| format!("2*({choice})")).collect();
+    assert_eq!(of_expression(&sum.join(" + ")), [""; 0]);
 }
 
 #[test]
@@ -283,6 +337,14 @@ fn nesting_is_bounded() {
         ("", ".f()"),
         ("", "(x)"),
         ("if a { ", "}"),
+        ("if a < b { ", "} else { 0 }"),
+        ("if a < b { 0 } else ", ""),
+        ("if ", " < a { 1 } else { 2 }"),
+        ("x as a<b<", ""),
+        ("if x as a<", ""),
+        ("a::<", ""),
+        ("|a: a<", ""),
+        ("<", ""),
     ];
     for (open, close) in forms {
         for depth in [8, 12, 16, 24, 32, 40, 44, 48, 20_000] {
