@@ -48,18 +48,18 @@ fn nested_derivatives_agree_with_differences_of_the_first() {
 /// x^1.5 at 0, where ln x has no value; and the powers of negative numbers.
 #[test]
 fn a_fixed_exponent_needs_no_logarithm() {
-    let power = Dual::variable(0.0).powf(Dual::constant(1.5));
+    let power = Dual::variable(0.0_f64).powf(Dual::constant(1.5));
     assert_eq!((power.value, power.derivative), (0.0, 0.0));
-    let cube = Dual::variable(-2.0).powf(Dual::constant(3.0));
+    let cube = Dual::variable(-2.0_f64).powf(Dual::constant(3.0));
     assert_eq!((cube.value, cube.derivative), (-8.0, 12.0));
-    assert!(Dual::constant(-2.0).powf(Dual::variable(3.0)).derivative.is_nan());
+    assert!(Dual::constant(-2.0_f64).powf(Dual::variable(3.0)).derivative.is_nan());
 }
 
 #[test]
 fn signs_and_selections_at_their_edges() {
-    assert_eq!([Scalar::sign(-0.3), 0.0.sign(), Scalar::sign(7.0_f32) as f64], [-1.0, 0.0, 1.0]);
+    assert_eq!([Scalar::sign(-0.3_f64), 0.0_f64.sign(), Scalar::sign(7.0_f32) as f64], [-1.0, 0.0, 1.0]);
     assert!(f64::NAN.sign().is_nan() && f64::NAN.select(1.0, 2.0).is_nan());
-    assert_eq!([(-0.1).select(1.0, 2.0), 0.0.select(1.0, 2.0), 0.1.select(1.0, 2.0)], [1.0, 2.0, 2.0]);
+    assert_eq!([(-0.1_f64).select(1.0, 2.0), 0.0_f64.select(1.0, 2.0), 0.1_f64.select(1.0, 2.0)], [1.0, 2.0, 2.0]);
     // The branch that is not taken may have no value.
     let root = |x: f64| Dual::variable(x).select(Dual::constant(0.0), Dual::variable(x).sqrt());
     assert_eq!((root(-4.0).value, root(-4.0).derivative), (0.0, 0.0));
