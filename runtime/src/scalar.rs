@@ -83,6 +83,19 @@ pub trait Scalar:
     /// assert_eq!((x - Dual::constant(4.0)).select(x * x, x).derivative, 6.0);
     /// ```
     fn select(self, negative: Self, other: Self) -> Self;
+    /// A function of the user's: `orders` holds it, its derivative, the second derivative and so on. What needs an order that
+    /// is not there is not a number. Each lane of a bundle is computed for itself.
+    ///
+    /// ```
+    /// use holonomy::{Dual, Scalar};
+    ///
+    /// let orders: [fn(f64) -> f64; 2] = [|x| x * x, |x| 2.0 * x];
+    /// assert_eq!(3.0_f64.apply(&orders), 9.0);
+    /// let x = Dual::variable(3.0_f64);
+    /// assert_eq!((x.apply(&orders).value, x.apply(&orders).derivative), (9.0, 6.0));
+    /// assert!(x.apply(&orders[1..]).derivative.is_nan());
+    /// ```
+    fn apply(self, orders: &[fn(f64) -> f64]) -> Self;
     /// Whether the value and all derivatives are finite.
     fn is_finite(self) -> bool;
 }
@@ -127,6 +140,13 @@ macro_rules! float_scalar {
             #[inline(always)]
             fn sign(self) -> Self {
                 if self == 0.0 || self.is_nan() { self } else { self.signum() }
+            }
+            #[inline(always)]
+            fn apply(self, orders: &[fn(f64) -> f64]) -> Self {
+                match orders {
+                    [function, ..] => $from(function($to(self))),
+                    [] => <$float>::NAN,
+                }
             }
             #[inline(always)]
             fn select(self, negative: Self, other: Self) -> Self {

@@ -192,6 +192,12 @@ impl<T: Scalar> Scalar for Dual<T> {
     }
 
     #[inline(always)]
+    fn apply(self, orders: &[fn(f64) -> f64]) -> Self {
+        let slope = self.value.apply(orders.get(1..).unwrap_or_default());
+        Dual::new(self.value.apply(orders), slope * self.derivative)
+    }
+
+    #[inline(always)]
     fn is_finite(self) -> bool {
         self.value.is_finite() && self.derivative.is_finite()
     }

@@ -2,7 +2,7 @@
 //! in an unoptimised macro, and it can be read in tests.
 
 use crate::program::{Arguments, Block, Code, Layout, Leaf, Let, Names, Operation, Part, Reference, Shape};
-use crate::symbolic::Rational;
+use crate::symbolic::{Function, Rational};
 use std::fmt::Write;
 
 /// Writes the steps of one program.
@@ -85,6 +85,16 @@ impl Writer<'_> {
             Operation::Sine(a) => self.call(out, *a, "sin_cos().0"),
             Operation::Cosine(a) => self.call(out, *a, "sin_cos().1"),
             Operation::Root(a) => self.call(out, *a, "sqrt()"),
+            Operation::Call(Function::Given(at), arguments) => {
+                let given = &self.names.functions[*at as usize];
+                let orders = user_function(given.function);
+                self.call(out, arguments[0], "apply(");
+                let _ = if given.order == 0 {
+                    write!(out, "{orders})")
+                } else {
+                    write!(out, "&{orders}[{}..])", given.order)
+                };
+            }
             Operation::Call(function, arguments) => {
                 self.call(out, arguments[0], function.name());
                 out.push('(');
@@ -212,6 +222,11 @@ impl Writer<'_> {
             _ => format!("[{}]", outputs.iter().map(text).collect::<Vec<_>>().join(", ")),
         }
     }
+}
+
+/// The constant that holds a function of the user's with its derivatives.
+pub fn user_function(number: usize) -> String {
+    format!("HOLONOMY_FUNCTION_{}", number + 1)
 }
 
 /// A number as an expression of type `f64` that the compiler folds.

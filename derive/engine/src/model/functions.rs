@@ -3,6 +3,7 @@
 use proc_macro2::Span;
 
 use super::lower::Vocabulary;
+use super::names::Meaning;
 use crate::symbolic::{Expr, Function, Rational};
 use crate::syntax::{Diagnostics, did_you_mean, messages, nearest};
 
@@ -65,6 +66,15 @@ impl Call<'_> {
         vocabulary: &mut Vocabulary<'_>,
         diagnostics: &mut Diagnostics,
     ) -> Option<Expr> {
+        if let Some(Meaning::Function(i)) = vocabulary.names.get(self.function) {
+            if self.count != 1 {
+                let message = wrong_number_of_arguments(self.function, 1, self.count);
+                diagnostics.report(self.span, message);
+                return None;
+            }
+            let argument = arguments.first().copied()??;
+            return Some(vocabulary.graph.function(vocabulary.functions[i], &[argument]));
+        }
         let Some((_, count)) = FUNCTIONS.iter().find(|(name, _)| *name == self.function) else {
             diagnostics.report(self.span, self.unknown(vocabulary));
             return None;
@@ -144,7 +154,9 @@ impl Call<'_> {
             return messages::not_a_function(name, meaning.describe());
         }
         let alias = ALIASES.iter().find(|(alias, _)| *alias == name).map(|(_, function)| *function);
-        let meant = alias.or_else(|| nearest(name, FUNCTIONS.iter().map(|(function, _)| *function)));
+        let own: Vec<String> = vocabulary.declarations.functions.iter().map(|f| f.name.to_string()).collect();
+        let known = FUNCTIONS.iter().map(|(function, _)| *function).chain(own.iter().map(String::as_str));
+        let meant = alias.or_else(|| nearest(name, known));
         messages::unknown_function(name, did_you_mean(meant))
     }
 }

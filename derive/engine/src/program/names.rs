@@ -2,7 +2,7 @@
 
 use super::operation::{Leaf, Operation, Reference};
 use crate::projection::Equations;
-use crate::symbolic::{Expr, Graph, Node, Rational};
+use crate::symbolic::{Expr, Function, Given, Graph, Node, Rational};
 use std::collections::BTreeSet;
 
 /// Descriptive names stay below this many characters.
@@ -90,6 +90,8 @@ pub struct Names {
     pub multipliers: Vec<String>,
     /// Initial coordinates, as local variables.
     pub coordinates: Vec<String>,
+    /// The user's functions and their derivatives.
+    pub functions: Vec<Given>,
 }
 
 impl Names {
@@ -111,6 +113,7 @@ impl Names {
             inputs: fields(of(&equations.inputs)),
             velocities: fields(of(&equations.speeds)),
             multipliers: fields(equations.multiplier_names.clone()),
+            functions: equations.graph.given().to_vec(),
             coordinates: of(&equations.coordinates).iter().map(|n| locals.unique(&n.to_lowercase())).collect(),
         }
     }
@@ -158,7 +161,10 @@ impl Names {
             Operation::Cosine(a) => format!("cos_{}", of(*a)?),
             Operation::Root(a) => format!("root_{}", of(*a)?),
             Operation::Call(function, arguments) => {
-                let mut text = function.name().to_owned();
+                let mut text = match function {
+                    Function::Given(at) => self.functions[*at as usize].name.clone(),
+                    other => other.name().to_owned(),
+                };
                 for argument in arguments {
                     text.push('_');
                     text.push_str(&of(*argument)?);
@@ -242,7 +248,8 @@ fn describe_quantity(graph: &Graph, e: Expr, of: &dyn Fn(Expr) -> Option<String>
             Some(parts.join("_"))
         }
         Node::Function(function, arguments) => {
-            let mut parts = vec![if function.name() == "sqrt" { "root" } else { function.name() }.to_owned()];
+            let name = graph.function_name(*function);
+            let mut parts = vec![if name == "sqrt" { "root" } else { name }.to_owned()];
             for argument in arguments {
                 parts.push(of(*argument)?);
             }

@@ -92,7 +92,7 @@ impl Graph {
                 Function::Asin | Function::Atan => Bounds { low: -1.6, high: 1.6 },
                 Function::Acos => Bounds { low: 0.0, high: 3.2 },
                 Function::Cosh => Bounds { low: 1.0, high: f64::INFINITY },
-                Function::Sinh => Bounds::ALL,
+                Function::Sinh | Function::Given(_) => Bounds::ALL,
                 // A negative base with an integer exponent has a power of either sign.
                 Function::Power if found[arguments[0].index()].low >= 0.0 => Bounds { low: 0.0, high: f64::INFINITY },
                 Function::Power => Bounds::ALL,

@@ -120,6 +120,11 @@ impl Graph {
                         let by_exponent = self.product(&[e, ln, rate[1]]);
                         self.add(by_base, by_exponent)
                     }
+                    Function::Given(at) => {
+                        let derivative = self.derivative_of_given(at);
+                        let slope = self.function(derivative, &arguments);
+                        self.mul(slope, rate[0])
+                    }
                     // Branch by branch: where the condition changes its sign there is no derivative.
                     Function::Select => self.select(arguments[0], rate[1], rate[2]),
                     Function::Atan2 => {

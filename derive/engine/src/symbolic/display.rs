@@ -89,7 +89,7 @@ impl Graph {
             }
             Node::Function(function, arguments) => {
                 let arguments: Vec<&str> = arguments.iter().map(|a| texts[a].0.as_str()).collect();
-                (format!("{}({})", function.name(), arguments.join(", ")), Binding::Atom)
+                (format!("{}({})", self.function_name(*function), arguments.join(", ")), Binding::Atom)
             }
         }
     }

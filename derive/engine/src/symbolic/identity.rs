@@ -154,7 +154,7 @@ impl Point {
 
     /// A random function of the arguments' values.
     fn hash(&self, function: Function, values: &[Element]) -> Element {
-        let start = mix(self.salt ^ (function as u64 + 77));
+        let start = mix(self.salt ^ function.key());
         self.field.draw(values.iter().fold(start, |key, value| mix(key ^ value.key())))
     }
 
@@ -322,7 +322,11 @@ impl Algebra for Scaled<'_> {
     }
     fn function(&mut self, function: Function, arguments: &[Self::Value]) -> Self::Value {
         let values: Vec<f64> = arguments.iter().map(|a| a.0).collect();
-        let x = super::evaluate::double(function, &values);
+        let x = match function {
+            // What holds for every function holds for this one.
+            Function::Given(at) => (0.7 * values[0] + f64::from(at)).sin() + 0.3 * values[0],
+            _ => super::evaluate::double(function, &values),
+        };
         (x, x.abs() + arguments.iter().map(|a| a.1).sum::<f64>())
     }
 }

@@ -105,10 +105,18 @@ pub enum Function {
     Power,
     /// The second argument where the first is negative, else the third.
     Select,
+    /// A function of the user's, or one of its derivatives: a position in the graph's table.
+    Given(u32),
 }
 
 impl Function {
-    /// Name as written in a model.
+    /// A number of its own, the same in every process.
+    pub fn key(self) -> u64 {
+        let given = if let Function::Given(at) = self { u64::from(at) } else { 0 };
+        self.name().bytes().fold(given, |key, byte| super::modular::mix(key ^ u64::from(byte)))
+    }
+
+    /// Name as written in a model; [`Graph::function_name`](super::Graph::function_name) knows those of the user's.
     pub fn name(self) -> &'static str {
         match self {
             Function::Sin => "sin",
@@ -127,6 +135,7 @@ impl Function {
             Function::Sign => "sign",
             Function::Power => "powf",
             Function::Select => "select",
+            Function::Given(_) => "given",
         }
     }
 }

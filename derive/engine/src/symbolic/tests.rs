@@ -317,3 +317,23 @@ fn derivatives_of_the_functions_agree_with_differences() {
         }
     }
 }
+
+#[test]
+fn functions_of_the_users_are_differentiated_order_by_order() {
+    let (mut g, x, y, _) = three();
+    let road = g.give(&["road".to_owned(), "slope".to_owned()]);
+    let sum = g.linear(Rational::ZERO, &[(Rational::integer(2), g.var(x)), (Rational::ONE, g.var(y))]);
+    let value = g.function(road, &[sum]);
+    let first = g.derivative(value, x);
+    assert_eq!(g.display(first), "2*slope(2*x + y)");
+    assert!(g.given().iter().all(|given| !given.missing));
+    let second = g.derivative(first, x);
+    let given: Vec<_> = g.given_in(&[second]).into_iter().map(|at| g.given()[at].clone()).collect();
+    assert!(matches!(given.as_slice(), [given] if given.missing && given.order == 2 && given.function == 0));
+    // Decided by the argument's value, and no function is another.
+    let (a, b) = (g.var(x), g.var(y));
+    let (ab, ba) = (g.sub(a, b), g.sub(b, a));
+    let (one, minus) = (g.function(road, &[ab]), g.neg(ba));
+    let other = g.function(road, &[minus]);
+    assert!(g.identical(one, other) && !g.identical(one, value) && !g.identical(first, value));
+}
