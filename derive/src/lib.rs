@@ -57,11 +57,93 @@ use proc_macro::TokenStream;
 /// | `potential_energy(V)` | V(x, t), for `energy` |
 /// | `define(mu = ..)` | names for intermediate quantities |
 /// | `inputs(tau)` | inputs, given at every call |
+/// | `size(n = 20)` | names for integers, used by families |
+/// | `function(road(s), derivatives = [droad, ddroad])` | a function from f64 to f64 in scope, by its path, with its derivatives |
 /// | `start(theta = 0.3)`, `nominal(9.81)` and `unit(kg)` on fields | figures and units that judge and document; they never enter the equations |
 /// | `holonomy(crate = path, simplify = off)` | where the runtime is found; whether cheaper forms are searched |
 ///
-/// Functions: `sin cos tan sqrt exp ln atan2(y, x) powi(x, n) dot(q)`, and in constraints `dot(v) ddot(q)`. `t` is time, `PI` is π. Literals are exact:
-/// `0.1` is one tenth, `1/2` one half.
+/// Functions: `sin cos tan asin acos atan atan2(y, x) sinh cosh tanh sqrt exp ln abs sign min(a, b) max(a, b) powi(x, n)
+/// powf(x, y) dot(q)`, and in constraints `dot(v) ddot(q)`, with `sign(0)` = 0. `if a < b { .. } else { .. }`, with `<`, `<=`, `>` or `>=`, selects: both
+/// branches are evaluated, one is taken, and derivatives are those of the branch that is taken. `t` is time, `PI` is π.
+/// Literals are exact: `0.1` is one tenth, `1/2` one half.
+///
+/// # Arrays and families
+///
+/// Fields may be arrays (`m: [f64; 5]`, the length a literal), and `coordinates(a[n])`, `speeds`, `inputs` and
+/// `configuration(of(a[n]))` declare families. `a[i + 1]` names an entry; its name in the emitted structs and in `MODEL`
+/// is `a_0`, `a_1`, … In every statement an entry may be repeated: `forces(-m[i]*g for i in 0..n)`,
+/// `constraint(link[i]: x[i] == x[i + 1] for i in 0..n - 1)`, `define(s[i] = .. for i in 0..n)`,
+/// `inertia(matrix([.. for j in 0..n] for i in 0..n))`. `sum(0..n, |j| m[j]*x[j])` and `product(..)` repeat inside an
+/// expression. Ranges and indices are integers of literals, sizes and indices, with `+ - * / %`, `min` and `max`.
+///
+/// ```
+/// use holonomy::{ConstrainedSystem, State};
+///
+/// /// A chain of three equal pendulums in the plane, by their angles.
+/// #[derive(ConstrainedSystem, Clone)]
+/// #[size(n = 3)]
+/// #[coordinates(a[n])]
+/// #[inertia(matrix([l[i]*l[j]*cos(a[i] - a[j])*sum(max(i, j)..n, |k| m[k]) for j in 0..n] for i in 0..n))]
+/// #[forces(
+///     -sum(0..n, |j| sum(max(i, j)..n, |k| m[k])*l[i]*l[j]*sin(a[i] - a[j])*powi(dot(a[j]), 2))
+///         - sum(i..n, |k| m[k])*g*l[i]*sin(a[i]) for i in 0..n
+/// )]
+/// #[potential_energy(-sum(0..n, |i| sum(i..n, |k| m[k])*g*l[i]*cos(a[i])))]
+/// struct Chain {
+///     m: [f64; 3],
+///     l: [f64; 3],
+///     g: f64,
+/// }
+///
+/// # fn main() -> Result<(), holonomy::Error> {
+/// let chain = Chain { m: [1.0, 2.0, 0.5], l: [0.7, 0.3, 0.5], g: 9.81 }.prepare()?;
+/// let start = State::<Chain> { a_0: 0.4, a_2: -0.2, ..Default::default() };
+/// let run = chain.simulate(start).until(1.0)?;
+/// let (t, end) = run.last();
+/// assert!((chain.energy(t, end) - chain.energy(0.0, &start)).abs() < 1e-6);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Functions of your own
+///
+/// `function(road(s), derivatives = [droad, ddroad])` makes `road` a function of the equations; d/ds road(s) is droad(s).
+/// Position constraints need two derivatives, velocity constraints one, forces none. A derivative that the equations need
+/// and that is missing is an error that names what needs it. Dual numbers, as in `linearize`, need one more; where it is
+/// missing their derivative is not a number, and `MODEL.notes` says so.
+///
+/// ```
+/// use holonomy::{ConstrainedSystem, State};
+///
+/// fn road(x: f64) -> f64 { 0.3 * x.sin() }
+/// fn slope(x: f64) -> f64 { 0.3 * x.cos() }
+/// fn curvature(x: f64) -> f64 { -0.3 * x.sin() }
+/// fn twist(x: f64) -> f64 { -0.3 * x.cos() }
+///
+/// /// A particle on a road.
+/// #[derive(ConstrainedSystem, Clone)]
+/// #[coordinates(x, y)]
+/// #[function(road(x), derivatives = [slope, curvature, twist])]
+/// #[inertia(diag(m, m))]
+/// #[forces(0, -m*g)]
+/// #[potential_energy(m*g*y)]
+/// #[constraint(ground: y == road(x))]
+/// #[independent(dot(x))]
+/// struct Particle {
+///     m: f64,
+///     g: f64,
+/// }
+///
+/// # fn main() -> Result<(), holonomy::Error> {
+/// let particle = Particle { m: 2.0, g: 9.81 }.prepare()?;
+/// let start = State::<Particle> { x: 0.4, y: road(0.4), dot_x: 1.0 };
+/// let run = particle.simulate(start).until(2.0)?;
+/// let (t, end) = run.last();
+/// assert!((end.y - road(end.x)).abs() < 1e-9);
+/// assert!((particle.energy(t, end) - particle.energy(0.0, &start)).abs() < 1e-6);
+/// # Ok(())
+/// # }
+/// ```
 ///
 /// # What it emits
 ///
@@ -84,13 +166,13 @@ use proc_macro::TokenStream;
         inputs,
         define,
         start,
+        size,
+        function,
         holonomy,
         unit,
         nominal,
         kinetic_energy,
-        function,
         output,
-        size,
         frame,
         point,
         particle,

@@ -2,60 +2,63 @@
 
 /// Writes the functions of one float type, from its std methods or from the named functions of libm.
 macro_rules! elementary {
-    ($module:ident, $float:ty, $sqrt:ident, $sin_cos:ident, $atan2:ident, $exp:ident, $ln:ident, $pow:ident) => {
+    (
+        $module:ident, $float:ty, sin_cos by $sin_cos:ident,
+        [$($unary:ident by $unary_libm:ident),*],
+        [$($binary:ident by $binary_std:ident or $binary_libm:ident),*]
+    ) => {
         #[cfg(feature = "std")]
         pub(crate) mod $module {
-            #[inline(always)]
-            pub(crate) fn sqrt(x: $float) -> $float {
-                x.sqrt()
-            }
             #[inline(always)]
             pub(crate) fn sin_cos(x: $float) -> ($float, $float) {
                 x.sin_cos()
             }
-            #[inline(always)]
-            pub(crate) fn atan2(y: $float, x: $float) -> $float {
-                y.atan2(x)
-            }
-            #[inline(always)]
-            pub(crate) fn exp(x: $float) -> $float {
-                x.exp()
-            }
-            #[inline(always)]
-            pub(crate) fn ln(x: $float) -> $float {
-                x.ln()
-            }
-            #[inline(always)]
-            #[allow(dead_code)]
-            pub(crate) fn pow(x: $float, exponent: $float) -> $float {
-                x.powf(exponent)
-            }
+            $(
+                #[inline(always)]
+                pub(crate) fn $unary(x: $float) -> $float {
+                    x.$unary()
+                }
+            )*
+            $(
+                #[inline(always)]
+                pub(crate) fn $binary(x: $float, y: $float) -> $float {
+                    x.$binary_std(y)
+                }
+            )*
         }
 
         #[cfg(all(feature = "libm", not(feature = "std")))]
         pub(crate) mod $module {
-            pub(crate) fn sqrt(x: $float) -> $float {
-                libm::$sqrt(x)
-            }
             pub(crate) fn sin_cos(x: $float) -> ($float, $float) {
                 libm::$sin_cos(x)
             }
-            pub(crate) fn atan2(y: $float, x: $float) -> $float {
-                libm::$atan2(y, x)
-            }
-            pub(crate) fn exp(x: $float) -> $float {
-                libm::$exp(x)
-            }
-            pub(crate) fn ln(x: $float) -> $float {
-                libm::$ln(x)
-            }
-            #[allow(dead_code)]
-            pub(crate) fn pow(x: $float, exponent: $float) -> $float {
-                libm::$pow(x, exponent)
-            }
+            $(
+                pub(crate) fn $unary(x: $float) -> $float {
+                    libm::$unary_libm(x)
+                }
+            )*
+            $(
+                pub(crate) fn $binary(x: $float, y: $float) -> $float {
+                    libm::$binary_libm(x, y)
+                }
+            )*
         }
     };
 }
 
-elementary!(double, f64, sqrt, sincos, atan2, exp, log, pow);
-elementary!(single, f32, sqrtf, sincosf, atan2f, expf, logf, powf);
+elementary!(
+    double, f64, sin_cos by sincos,
+    [
+        sqrt by sqrt, exp by exp, ln by log, asin by asin, acos by acos, atan by atan, sinh by sinh, cosh by cosh,
+        tanh by tanh
+    ],
+    [atan2 by atan2 or atan2, pow by powf or pow]
+);
+elementary!(
+    single, f32, sin_cos by sincosf,
+    [
+        sqrt by sqrtf, exp by expf, ln by logf, asin by asinf, acos by acosf, atan by atanf, sinh by sinhf, cosh by coshf,
+        tanh by tanhf
+    ],
+    [atan2 by atan2 or atan2f, pow by powf or powf]
+);

@@ -37,6 +37,18 @@ impl<N: Number> Algebra for Over<N> {
             Function::Atan2 => first.atan2(arguments[1]),
             Function::Exp => first.exp(),
             Function::Ln => first.ln(),
+            Function::Asin => first.asin(),
+            Function::Acos => first.acos(),
+            Function::Atan => first.atan2(N::one()),
+            Function::Sinh => first.sinh_cosh().0,
+            Function::Cosh => first.sinh_cosh().1,
+            Function::Tanh => first.sinh_cosh().0 / first.sinh_cosh().1,
+            Function::Abs => first.abs(),
+            Function::Sign if first.value() == 0.0 => N::zero(),
+            Function::Sign => N::constant(first.value().signum()),
+            Function::Power => (arguments[1] * first.ln()).exp(),
+            Function::Given(_) => panic!("a function of the user's"),
+            Function::Select => arguments[if first.value() < 0.0 { 1 } else { 2 }],
         }
     }
 }

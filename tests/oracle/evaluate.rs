@@ -140,6 +140,12 @@ impl<'a, N: Number> Scope<'a, N> {
             "acosh" => (first + (first * first - N::one()).sqrt()).ln(),
             "atanh" => N::constant(0.5) * ((N::one() + first) / (N::one() - first)).ln(),
             "abs" => first.abs(),
+            "sign" => N::constant(if first.value() == 0.0 { 0.0 } else { first.value().signum() }),
+            "min" | "max" => {
+                let second = self.value(arguments[1]);
+                if (first.value() < second.value()) == (name == "min") { first } else { second }
+            }
+            "powf" => (self.value(arguments[1]) * first.ln()).exp(),
             "sqrt" => first.sqrt(),
             "exp" => first.exp(),
             "ln" => first.ln(),

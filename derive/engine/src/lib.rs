@@ -6,6 +6,7 @@
 
 pub mod emit;
 pub mod model;
+mod orders;
 pub mod pipeline;
 pub mod program;
 pub mod projection;

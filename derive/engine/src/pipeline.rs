@@ -5,7 +5,7 @@ use crate::simplify::{self, limits::PROJECTION_WORK};
 use crate::symbolic::{Expr, Graph};
 use crate::syntax::{Declarations, Diagnostics};
 use crate::target::{known, target};
-use crate::{emit, model, program, syntax};
+use crate::{emit, model, orders, program, syntax};
 use proc_macro2::TokenStream;
 
 /// A model that has been read, checked and projected.
@@ -121,6 +121,9 @@ fn equations(
         errors.report(&declarations.ident, messages::division_by_zero_arises());
         return Err(errors);
     }
+    let mut errors = Diagnostics::new();
+    orders::check(declarations, &mut equations, &mut errors);
+    errors.result(())?;
     guards::drop_cancelled_pivots(&mut equations, TANGENT_PIVOT);
     guards::add_parameter_divisors(&mut equations);
     after(Step::Simplification, equations.graph.len());

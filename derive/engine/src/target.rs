@@ -12,7 +12,7 @@ pub fn target(declarations: &Declarations, equations: Option<&Equations>) -> Tar
         None => true,
     };
     let scalars = declarations.fields.iter().filter(|field| field.scalar);
-    let parameters: Vec<Ident> = scalars.map(|field| field.ident.clone()).filter(is_used).collect();
+    let parameters = scalars.filter(|field| is_used(&field.ident)).map(|field| field.member.clone()).collect();
     let speeds = declarations.speeds.iter().flat_map(|speeds| &speeds.names);
     let further = declarations.configuration.iter().flat_map(|c| &c.further);
     let names = declarations.coordinates.iter().chain(speeds).chain(further).chain(&declarations.inputs);
@@ -27,6 +27,7 @@ pub fn target(declarations: &Declarations, equations: Option<&Equations>) -> Tar
         generics: declarations.generics.clone(),
         parameters,
         declared,
+        functions: declarations.functions.iter().map(|f| f.orders.clone()).collect(),
         krate: declarations.options.krate.clone(),
     }
 }

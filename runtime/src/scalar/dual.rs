@@ -129,6 +129,75 @@ impl<T: Scalar> Scalar for Dual<T> {
     }
 
     #[inline(always)]
+    fn asin(self) -> Self {
+        let one = T::from_f64(1.0);
+        Dual::new(self.value.asin(), self.derivative / ((one - self.value) * (one + self.value)).sqrt())
+    }
+
+    #[inline(always)]
+    fn acos(self) -> Self {
+        let one = T::from_f64(1.0);
+        Dual::new(self.value.acos(), -(self.derivative / ((one - self.value) * (one + self.value)).sqrt()))
+    }
+
+    #[inline(always)]
+    fn atan(self) -> Self {
+        Dual::new(self.value.atan(), self.derivative / (T::from_f64(1.0) + self.value * self.value))
+    }
+
+    #[inline(always)]
+    fn sinh(self) -> Self {
+        Dual::new(self.value.sinh(), self.value.cosh() * self.derivative)
+    }
+
+    #[inline(always)]
+    fn cosh(self) -> Self {
+        Dual::new(self.value.cosh(), self.value.sinh() * self.derivative)
+    }
+
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        let value = self.value.tanh();
+        Dual::new(value, (T::from_f64(1.0) - value * value) * self.derivative)
+    }
+
+    /// An exponent that does not move needs no logarithm: the base may then be zero or negative.
+    #[inline(always)]
+    fn powf(self, exponent: Self) -> Self {
+        let value = self.value.powf(exponent.value);
+        let lower = self.value.powf(exponent.value - T::from_f64(1.0));
+        let by_base = exponent.value * lower * self.derivative;
+        if exponent.derivative == T::default() {
+            return Dual::new(value, by_base);
+        }
+        Dual::new(value, by_base + value * self.value.ln() * exponent.derivative)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Dual::new(self.value.abs(), self.value.sign() * self.derivative)
+    }
+
+    #[inline(always)]
+    fn sign(self) -> Self {
+        Dual::constant(self.value.sign())
+    }
+
+    #[inline(always)]
+    fn select(self, negative: Self, other: Self) -> Self {
+        Dual::new(
+            self.value.select(negative.value, other.value),
+            self.value.select(negative.derivative, other.derivative),
+        )
+    }
+
+    #[inline(always)]
+    fn apply(self, orders: &[fn(f64) -> f64]) -> Self {
+        let slope = self.value.apply(orders.get(1..).unwrap_or_default());
+        Dual::new(self.value.apply(orders), slope * self.derivative)
+    }
+
+    #[inline(always)]
     fn is_finite(self) -> bool {
         self.value.is_finite() && self.derivative.is_finite()
     }

@@ -172,6 +172,8 @@ pub struct FunctionCost {
     pub roots: usize,
     /// Sine-cosine pairs, one per distinct angle.
     pub sincos: usize,
+    /// Selections (`if`, `min`, `max`), signs and absolute values.
+    pub selections: usize,
     /// Other function calls.
     pub others: usize,
 }

@@ -1,6 +1,6 @@
 #[coordinates(x)]
 #[inertia(diag(m))]
-#[forces(-sinh(x))]
+#[forces(-sine(x))]
 pub struct Spring {
     pub m: f64,
 }

@@ -228,7 +228,7 @@ fn cost(target: &Target, function: &str, count: &Count) -> TokenStream {
     let n = Literal::usize_unsuffixed;
     let (additions, multiplications) = (n(count.additions), n(count.multiplications));
     let (divisions, roots) = (n(count.divisions), n(count.roots));
-    let (sincos, others) = (n(count.sincos), n(count.others));
+    let (sincos, selections, others) = (n(count.sincos), n(count.selections), n(count.others));
     quote! {
         #krate::FunctionCost {
             function: #function,
@@ -237,6 +237,7 @@ fn cost(target: &Target, function: &str, count: &Count) -> TokenStream {
             divisions: #divisions,
             roots: #roots,
             sincos: #sincos,
+            selections: #selections,
             others: #others,
         }
     }

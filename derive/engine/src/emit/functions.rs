@@ -176,6 +176,7 @@ pub fn cost(count: &Count) -> String {
     add(count.divisions, "division", "divisions");
     add(count.roots, "root", "roots");
     add(count.sincos, "sine and cosine", "sines and cosines");
+    add(count.selections, "selection", "selections");
     add(count.others, "other function", "other functions");
     if parts.is_empty() { "No operations.".to_owned() } else { format!("{}.", parts.join(", ")) }
 }

@@ -5,7 +5,7 @@ use super::description::{Texts, bare, model};
 use super::functions::{docs, function, signature, tokens};
 use super::shape::{Known, Types};
 use super::target::{Target, ident};
-use super::text::Writer;
+use super::text::{Writer, user_function};
 use super::types::{Structs, allowed, doc, placeholders, structs};
 use crate::program::{Arguments, Programs, Shape};
 use crate::projection::Equations;
@@ -33,7 +33,17 @@ pub fn implementation(target: &Target, equations: &Equations, programs: &Program
     let prepare = prepare(target, &types, programs);
     let charts = chosen(target, &types);
     let implementation = block(target, &types, &model, &quote!(#prepare #functions #charts));
-    whole(&structs, &parts, &implementation)
+    let given = user_functions(target);
+    whole(&structs, &quote!(#given #parts), &implementation)
+}
+
+/// The user's functions with their derivatives, one constant each: a function of another type is an error at its path.
+fn user_functions(target: &Target) -> TokenStream {
+    let constants = target.functions.iter().enumerate().map(|(i, orders)| {
+        let name = ident(&user_function(i), proc_macro2::Span::call_site());
+        quote!(const #name: &[fn(f64) -> f64] = &[#(#orders),*];)
+    });
+    quote!(#(#constants)*)
 }
 
 /// The structs and the trait of a model with errors, so that only those errors show: its functions diverge.

@@ -1,6 +1,6 @@
 //! What the user's struct gives.
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 use syn::ext::IdentExt;
 
@@ -24,10 +24,12 @@ pub struct Target {
     pub vis: syn::Visibility,
     /// Its generics.
     pub generics: syn::Generics,
-    /// The fields that are parameters, in the order of the model's parameters.
-    pub parameters: Vec<Ident>,
+    /// The fields, or entries of fields, that are parameters, in the order of the model's parameters.
+    pub parameters: Vec<TokenStream>,
     /// Coordinates, speeds, inputs and parameters as they were declared, for spans and docs.
     pub declared: Vec<Declared>,
+    /// The paths of the user's functions, each with its derivatives.
+    pub functions: Vec<Vec<syn::Path>>,
     /// The runtime crate, `::holonomy` unless renamed.
     pub krate: syn::Path,
 }

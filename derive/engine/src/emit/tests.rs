@@ -15,8 +15,16 @@ fn target(text: &str, equations: &Equations) -> Target {
         ident: item.ident,
         vis: item.vis,
         generics: item.generics,
-        parameters: equations.parameters.iter().map(|s| format_ident!("{}", name(*s))).collect(),
+        parameters: equations
+            .parameters
+            .iter()
+            .map(|s| {
+                let field = format_ident!("{}", name(*s));
+                quote::quote!(#field)
+            })
+            .collect(),
         declared: Vec::new(),
+        functions: Vec::new(),
         krate: syn::parse_quote!(::holonomy),
     }
 }

@@ -2,7 +2,7 @@
 //! in an unoptimised macro, and it can be read in tests.
 
 use crate::program::{Arguments, Block, Code, Layout, Leaf, Let, Names, Operation, Part, Reference, Shape};
-use crate::symbolic::Rational;
+use crate::symbolic::{Function, Rational};
 use std::fmt::Write;
 
 /// Writes the steps of one program.
@@ -85,11 +85,23 @@ impl Writer<'_> {
             Operation::Sine(a) => self.call(out, *a, "sin_cos().0"),
             Operation::Cosine(a) => self.call(out, *a, "sin_cos().1"),
             Operation::Root(a) => self.call(out, *a, "sqrt()"),
-            Operation::Exp(a) => self.call(out, *a, "exp()"),
-            Operation::Ln(a) => self.call(out, *a, "ln()"),
-            Operation::Atan2(a, b) => {
-                self.call(out, *a, "atan2(");
-                self.write(out, *b, Binding::Sum, false);
+            Operation::Call(Function::Given(at), arguments) => {
+                let given = &self.names.functions[*at as usize];
+                let orders = user_function(given.function);
+                self.call(out, arguments[0], "apply(");
+                let _ = if given.order == 0 {
+                    write!(out, "{orders})")
+                } else {
+                    write!(out, "&{orders}[{}..])", given.order)
+                };
+            }
+            Operation::Call(function, arguments) => {
+                self.call(out, arguments[0], function.name());
+                out.push('(');
+                for (k, argument) in arguments[1..].iter().enumerate() {
+                    out.push_str(if k == 0 { "" } else { ", " });
+                    self.write(out, *argument, Binding::Sum, false);
+                }
                 out.push(')');
             }
         }
@@ -213,6 +225,11 @@ impl Writer<'_> {
             _ => format!("[{}]", outputs.iter().map(text).collect::<Vec<_>>().join(", ")),
         }
     }
+}
+
+/// The constant that holds a function of the user's with its derivatives.
+pub fn user_function(number: usize) -> String {
+    format!("HOLONOMY_FUNCTION_{}", number + 1)
 }
 
 /// A number as an expression of type `f64` that the compiler folds.

@@ -5,8 +5,8 @@ use quote::ToTokens;
 use super::context::Context;
 use super::functions::{Call, wrong_number_of_arguments};
 use super::names::{Meaning, Mentions, Names};
-use crate::symbolic::{Expr, Graph, Kind, Rational, Symbol};
-use crate::syntax::{Declarations, Diagnostics, Expression, Operator, Term, messages};
+use crate::symbolic::{Expr, Function, Graph, Kind, Rational, Symbol};
+use crate::syntax::{Comparison, Declarations, Diagnostics, Expression, Operator, Term, messages};
 
 /// An expression of the graph and what it mentions.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +35,8 @@ pub(super) struct Vocabulary<'a> {
     /// The second rates of the initial coordinates; the rates of the speeds themselves where these have no names.
     pub second_rates: Vec<Symbol>,
     pub inputs: Vec<Symbol>,
+    /// The functions of the user's.
+    pub functions: Vec<Function>,
     /// `None` before a define is lowered, and where that failed.
     pub defines: Vec<Option<Lowered>>,
 }
@@ -69,6 +71,11 @@ impl<'a> Vocabulary<'a> {
             }
         };
         let inputs = symbols(of(&declarations.inputs), Kind::Input);
+        let functions = declarations.functions.iter().map(|function| {
+            let names: Vec<String> = function.orders.iter().map(last_name).collect();
+            graph.give(&names)
+        });
+        let functions = functions.collect();
         Vocabulary {
             declarations,
             graph,
@@ -83,6 +90,7 @@ impl<'a> Vocabulary<'a> {
             accelerations,
             second_rates,
             inputs,
+            functions,
             defines: vec![None; declarations.defines.len()],
         }
     }
@@ -144,6 +152,16 @@ impl<'a> Vocabulary<'a> {
                         }
                     }
                 }
+                Term::If(comparison, operands) => {
+                    let [left, right, then, other] =
+                        operands.map(|at| take(&mut values, at).map(|value| value.finish(&mut self.graph)));
+                    match (left, right, then, other) {
+                        (Some(left), Some(right), Some(then), Some(other)) => {
+                            Some(Value::Expr(self.choose(*comparison, [left, right], [then, other])))
+                        }
+                        _ => None,
+                    }
+                }
                 Term::Call(function, arguments) if named_function(function) => {
                     let lowered = self.dot(function, *span, arguments, terms, context, diagnostics);
                     mentions |= lowered.map_or(Mentions::NONE, |lowered| lowered.mentions);
@@ -162,6 +180,21 @@ impl<'a> Vocabulary<'a> {
         }
         let expr = values.pop()??.finish(&mut self.graph);
         Some(Lowered { expr, mentions })
+    }
+
+    /// `if left < right { then } else { other }`, and the same with `<=`, as a selection by the sign of a difference.
+    fn choose(&mut self, comparison: Comparison, [left, right]: [Expr; 2], [then, other]: [Expr; 2]) -> Expr {
+        let graph = &mut self.graph;
+        match comparison {
+            Comparison::Less => {
+                let difference = graph.sub(left, right);
+                graph.select(difference, then, other)
+            }
+            Comparison::AtMost => {
+                let difference = graph.sub(right, left);
+                graph.select(difference, other, then)
+            }
+        }
     }
 
     /// A name and what it mentions, if that may occur here.
@@ -197,6 +230,10 @@ impl<'a> Vocabulary<'a> {
             Meaning::Input(i) => (self.inputs[i], Mentions::INPUTS),
             Meaning::Time => (self.time, Mentions::TIME),
             Meaning::Pi => (self.graph.pi_symbol(), Mentions::NONE),
+            Meaning::Function(_) => {
+                diagnostics.report(span, messages::function_as_name(name));
+                return None;
+            }
             Meaning::Define(i) => {
                 let define = self.defines[i]?;
                 let beyond = define.mentions.beyond(context.allowed);
@@ -279,6 +316,11 @@ impl<'a> Vocabulary<'a> {
         }
         Some(Lowered { expr: self.graph.var(symbol), mentions })
     }
+}
+
+/// The last segment of a path.
+fn last_name(path: &syn::Path) -> String {
+    path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default()
 }
 
 /// Functions that take the name of a coordinate or of a speed.

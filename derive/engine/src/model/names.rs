@@ -22,6 +22,8 @@ pub(super) enum Meaning {
     Speed(usize),
     Input(usize),
     Define(usize),
+    /// A function of the user's.
+    Function(usize),
     Time,
     Pi,
 }
@@ -36,6 +38,7 @@ impl Meaning {
             Meaning::Speed(_) => "a speed",
             Meaning::Input(_) => "an input",
             Meaning::Define(_) => "a define",
+            Meaning::Function(_) => "a function",
             Meaning::Time => "the time",
             Meaning::Pi => "the number π",
         }
@@ -45,13 +48,15 @@ impl Meaning {
 /// All names of a model.
 pub(super) struct Names {
     table: BTreeMap<String, Meaning>,
+    /// The lengths of arrays, whose entries stand in the table.
+    arrays: BTreeMap<String, i64>,
 }
 
 impl Names {
     /// Enters every name; reserved and duplicate ones are reported.
     pub fn of(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Self {
-        let mut names =
-            Names { table: BTreeMap::from([("t".to_owned(), Meaning::Time), ("PI".to_owned(), Meaning::Pi)]) };
+        let table = BTreeMap::from([("t".to_owned(), Meaning::Time), ("PI".to_owned(), Meaning::Pi)]);
+        let mut names = Names { table, arrays: declarations.arrays.clone() };
         let mut enter = |ident: &Ident, meaning| names.enter(ident, meaning, diagnostics);
         for (i, field) in declarations.fields.iter().enumerate() {
             enter(&field.ident, Meaning::Field(i));
@@ -70,6 +75,15 @@ impl Names {
         }
         for (i, define) in declarations.defines.iter().enumerate() {
             enter(&define.name, Meaning::Define(i));
+        }
+        for (i, function) in declarations.functions.iter().enumerate() {
+            let name = function.name.to_string();
+            if FUNCTIONS.iter().any(|(known, _)| *known == name) {
+                let message = messages::duplicate_name(name, "a function of the model", "a function of the language");
+                diagnostics.report(&function.name, message);
+            } else {
+                names.enter(&function.name, Meaning::Function(i), diagnostics);
+            }
         }
         names
     }
@@ -104,6 +118,9 @@ impl Names {
         }
         if let Some((_, what)) = RESERVED.iter().find(|(reserved, _)| *reserved == name) {
             return messages::reserved_not_supported(name, what);
+        }
+        if let Some(length) = self.arrays.get(name) {
+            return messages::array_without_index(name, length);
         }
         let hint = match self.rate_of(name) {
             Some(of) => messages::write_dot(of),

@@ -5,6 +5,7 @@ use super::operation::{Code, Leaf, Operation};
 use super::plan::Programs;
 use crate::projection::Equations;
 use crate::symbolic::Symbol;
+use crate::symbolic::evaluate::double;
 
 impl Code {
     /// The results for given readings.
@@ -24,9 +25,9 @@ impl Code {
                 Operation::Sine(a) => at(*a).sin(),
                 Operation::Cosine(a) => at(*a).cos(),
                 Operation::Root(a) => at(*a).sqrt(),
-                Operation::Atan2(a, b) => at(*a).atan2(at(*b)),
-                Operation::Exp(a) => at(*a).exp(),
-                Operation::Ln(a) => at(*a).ln(),
+                Operation::Call(function, arguments) => {
+                    double(*function, &arguments.iter().map(|a| at(*a)).collect::<Vec<_>>())
+                }
             };
             values.push(value);
         }

@@ -85,7 +85,7 @@ fn bound(code: &Code, names: &Names) -> Vec<bool> {
             }
             Operation::Sine(_) | Operation::Cosine(_) => bound[at] = true,
             other => {
-                let mut operands: Vec<Reference> = other.operands().into_iter().flatten().collect();
+                let mut operands: Vec<Reference> = other.operands();
                 operands.sort_by_key(|r| std::cmp::Reverse(width(*r, &bound)));
                 let mut total = 5 + operands.iter().map(|r| width(*r, &bound)).sum::<usize>();
                 for r in &operands {
@@ -187,7 +187,7 @@ fn lets(code: &Code, bound: &[bool]) -> (Vec<Let>, Vec<(usize, usize)>) {
         if !bound[at] {
             homes[at].0 = home;
         }
-        for operand in code.operations[at].operands().into_iter().flatten() {
+        for operand in code.operations[at].operands() {
             let place = &mut place[operand as usize];
             *place = (*place).max(home);
         }

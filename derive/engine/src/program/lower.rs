@@ -211,10 +211,7 @@ impl<'a> Lowering<'a> {
             arguments.iter().map(|a| self.term(*a)).collect::<Vec<_>>().iter().map(|t| self.unit_of(t)).collect();
         let unit = match (function, of.as_slice()) {
             (Function::Sqrt, [a]) => Unit::Root(*a),
-            (Function::Exp, [a]) => Unit::Exp(*a),
-            (Function::Ln, [a]) => Unit::Ln(*a),
-            (Function::Atan2, [y, x]) => Unit::Atan2(*y, *x),
-            _ => unreachable!("functions have as many arguments as they take"),
+            (function, arguments) => Unit::Call(function, arguments.into()),
         };
         self.of_unit(unit, Stage::Constant)
     }

@@ -2,7 +2,7 @@
 
 use super::operation::{Leaf, Operation, Reference};
 use crate::projection::Equations;
-use crate::symbolic::{Expr, Graph, Node, Rational};
+use crate::symbolic::{Expr, Function, Given, Graph, Node, Rational};
 use std::collections::BTreeSet;
 
 /// Descriptive names stay below this many characters.
@@ -92,6 +92,8 @@ pub struct Names {
     pub coordinates: Vec<String>,
     /// Carriers, as local variables.
     pub carriers: Vec<String>,
+    /// The user's functions and their derivatives.
+    pub functions: Vec<Given>,
 }
 
 impl Names {
@@ -116,6 +118,7 @@ impl Names {
             inputs: fields(of(&equations.inputs)),
             velocities: fields(of(&equations.speeds)),
             multipliers: fields(equations.multiplier_names.clone()),
+            functions: equations.graph.given().to_vec(),
             coordinates: locals(&equations.coordinates),
             carriers: locals(&equations.carriers),
         }
@@ -164,9 +167,17 @@ impl Names {
             Operation::Sine(a) => format!("sin_{}", of(*a)?),
             Operation::Cosine(a) => format!("cos_{}", of(*a)?),
             Operation::Root(a) => format!("root_{}", of(*a)?),
-            Operation::Atan2(a, b) => format!("atan2_{}_{}", of(*a)?, of(*b)?),
-            Operation::Exp(a) => format!("exp_{}", of(*a)?),
-            Operation::Ln(a) => format!("ln_{}", of(*a)?),
+            Operation::Call(function, arguments) => {
+                let mut text = match function {
+                    Function::Given(at) => self.functions[*at as usize].name.clone(),
+                    other => other.name().to_owned(),
+                };
+                for argument in arguments {
+                    text.push('_');
+                    text.push_str(&of(*argument)?);
+                }
+                text
+            }
         };
         (text.len() <= LONGEST).then_some(text)
     }
@@ -244,7 +255,8 @@ fn describe_quantity(graph: &Graph, e: Expr, of: &dyn Fn(Expr) -> Option<String>
             Some(parts.join("_"))
         }
         Node::Function(function, arguments) => {
-            let mut parts = vec![if function.name() == "sqrt" { "root" } else { function.name() }.to_owned()];
+            let name = graph.function_name(*function);
+            let mut parts = vec![if name == "sqrt" { "root" } else { name }.to_owned()];
             for argument in arguments {
                 parts.push(of(*argument)?);
             }

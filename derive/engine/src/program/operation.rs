@@ -1,6 +1,6 @@
 //! The straight-line program: binary operations in an order in which operands come first.
 
-use crate::symbolic::Rational;
+use crate::symbolic::{Function, Rational};
 use std::collections::HashMap;
 
 /// A position in a [`Code`].
@@ -54,30 +54,20 @@ pub enum Operation {
     Cosine(Reference),
     /// Square root.
     Root(Reference),
-    /// The angle of the point (second, first).
-    Atan2(Reference, Reference),
-    /// Exponential.
-    Exp(Reference),
-    /// Natural logarithm.
-    Ln(Reference),
+    /// Another function of its arguments.
+    Call(Function, Box<[Reference]>),
 }
 
 impl Operation {
     /// The operands, in order.
-    pub fn operands(&self) -> [Option<Reference>; 2] {
-        match *self {
-            Operation::Read(_) | Operation::Number(_) => [None, None],
-            Operation::Negate(a)
-            | Operation::Sine(a)
-            | Operation::Cosine(a)
-            | Operation::Root(a)
-            | Operation::Exp(a)
-            | Operation::Ln(a) => [Some(a), None],
-            Operation::Add(a, b)
-            | Operation::Subtract(a, b)
-            | Operation::Multiply(a, b)
-            | Operation::Divide(a, b)
-            | Operation::Atan2(a, b) => [Some(a), Some(b)],
+    pub fn operands(&self) -> Vec<Reference> {
+        match self {
+            Operation::Read(_) | Operation::Number(_) => Vec::new(),
+            Operation::Negate(a) | Operation::Sine(a) | Operation::Cosine(a) | Operation::Root(a) => vec![*a],
+            Operation::Add(a, b) | Operation::Subtract(a, b) | Operation::Multiply(a, b) | Operation::Divide(a, b) => {
+                vec![*a, *b]
+            }
+            Operation::Call(_, arguments) => arguments.to_vec(),
         }
     }
 
@@ -89,13 +79,13 @@ impl Operation {
             Operation::Sine(a) => Operation::Sine(f(*a)),
             Operation::Cosine(a) => Operation::Cosine(f(*a)),
             Operation::Root(a) => Operation::Root(f(*a)),
-            Operation::Exp(a) => Operation::Exp(f(*a)),
-            Operation::Ln(a) => Operation::Ln(f(*a)),
             Operation::Add(a, b) => Operation::Add(f(*a), f(*b)),
             Operation::Subtract(a, b) => Operation::Subtract(f(*a), f(*b)),
             Operation::Multiply(a, b) => Operation::Multiply(f(*a), f(*b)),
             Operation::Divide(a, b) => Operation::Divide(f(*a), f(*b)),
-            Operation::Atan2(a, b) => Operation::Atan2(f(*a), f(*b)),
+            Operation::Call(function, arguments) => {
+                Operation::Call(*function, arguments.iter().map(|a| f(*a)).collect())
+            }
         }
     }
 
@@ -118,6 +108,8 @@ pub struct Count {
     pub roots: usize,
     /// Distinct angles.
     pub sincos: usize,
+    /// Selections, signs and absolute values.
+    pub selections: usize,
     /// Other functions.
     pub others: usize,
 }
@@ -130,7 +122,11 @@ impl Count {
 
     /// A measure for choosing between two programs: a division or a root weighs as four multiplications.
     pub fn weight(&self) -> usize {
-        self.additions + self.multiplications + 4 * (self.divisions + self.roots) + 20 * (self.sincos + self.others)
+        self.additions
+            + self.multiplications
+            + self.selections
+            + 4 * (self.divisions + self.roots)
+            + 20 * (self.sincos + self.others)
     }
 }
 
@@ -158,7 +154,8 @@ impl Code {
                 Operation::Sine(a) | Operation::Cosine(a) => {
                     angles.insert(*a, ());
                 }
-                Operation::Atan2(..) | Operation::Exp(_) | Operation::Ln(_) => count.others += 1,
+                Operation::Call(Function::Select | Function::Sign | Function::Abs, _) => count.selections += 1,
+                Operation::Call(..) => count.others += 1,
             }
         }
         count.sincos = angles.len();
@@ -169,7 +166,7 @@ impl Code {
     pub fn uses(&self) -> Vec<u32> {
         let mut uses = vec![0; self.operations.len()];
         for operation in &self.operations {
-            for operand in operation.operands().into_iter().flatten() {
+            for operand in operation.operands() {
                 uses[operand as usize] += 1;
             }
         }

@@ -73,7 +73,7 @@ fn staged(code: Code, stages: &[Stage]) -> Code {
     }
     for at in (0..live.len()).rev() {
         if live[at] {
-            for operand in code.operations[at].operands().into_iter().flatten() {
+            for operand in code.operations[at].operands() {
                 live[operand as usize] = true;
             }
         }
@@ -107,7 +107,7 @@ impl Builder<'_> {
         }
         let stage = match &operation {
             Operation::Read(leaf) => stage_of(*leaf),
-            other => other.operands().into_iter().flatten().map(|r| self.stages[r as usize]).max(),
+            other => other.operands().into_iter().map(|r| self.stages[r as usize]).max(),
         };
         let reference = self.operations.len() as Reference;
         self.operations.push(operation);
@@ -126,9 +126,9 @@ impl Builder<'_> {
             Unit::Sine(a) => Operation::Sine(self.get(*a)),
             Unit::Cosine(a) => Operation::Cosine(self.get(*a)),
             Unit::Root(a) => Operation::Root(self.get(*a)),
-            Unit::Exp(a) => Operation::Exp(self.get(*a)),
-            Unit::Ln(a) => Operation::Ln(self.get(*a)),
-            Unit::Atan2(a, b) => Operation::Atan2(self.get(*a), self.get(*b)),
+            Unit::Call(function, arguments) => {
+                Operation::Call(*function, arguments.iter().map(|a| self.get(*a)).collect())
+            }
             Unit::Reciprocal(a) => {
                 let (one, a) = (self.push(Operation::Number(Rational::ONE)), self.get(*a));
                 Operation::Divide(one, a)

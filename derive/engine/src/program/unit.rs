@@ -1,7 +1,7 @@
 //! n-ary sums and products over shared units: the form in which common work is found.
 
 use super::operation::Leaf;
-use crate::symbolic::{Expr, Stage};
+use crate::symbolic::{Expr, Function, Stage};
 use std::collections::HashMap;
 
 /// An index into [`Units`].
@@ -23,12 +23,8 @@ pub enum Unit {
     Cosine(Id),
     /// Square root.
     Root(Id),
-    /// Angle of (second, first).
-    Atan2(Id, Id),
-    /// Exponential.
-    Exp(Id),
-    /// Natural logarithm.
-    Ln(Id),
+    /// Another function of its arguments.
+    Call(Function, Box<[Id]>),
     /// `1 / a`
     Reciprocal(Id),
     /// `-a`
@@ -87,14 +83,8 @@ impl Units {
 pub fn operands(unit: &Unit) -> Vec<Id> {
     match unit {
         Unit::Leaf(_) | Unit::Coefficient(_) => Vec::new(),
-        Unit::Sine(a)
-        | Unit::Cosine(a)
-        | Unit::Root(a)
-        | Unit::Exp(a)
-        | Unit::Ln(a)
-        | Unit::Reciprocal(a)
-        | Unit::Negative(a) => vec![*a],
-        Unit::Atan2(a, b) => vec![*a, *b],
+        Unit::Sine(a) | Unit::Cosine(a) | Unit::Root(a) | Unit::Reciprocal(a) | Unit::Negative(a) => vec![*a],
+        Unit::Call(_, arguments) => arguments.to_vec(),
         Unit::Product(bag) | Unit::Sum(bag) => bag.iter().map(|(id, _)| *id).collect(),
     }
 }

@@ -29,7 +29,8 @@ pub fn judge(
         let given = system.start.iter().chain(&system.nominal).find(|(symbol, _)| *symbol == s).map(|(_, v)| *v);
         given.or((s == system.time).then_some(0.0)).or((s == graph.pi_symbol()).then_some(std::f64::consts::PI))
     };
-    let all_known = |e: Expr| graph.symbols_of(&[e]).into_iter().all(|s| known(s).is_some());
+    let all_known =
+        |e: Expr| graph.symbols_of(&[e]).into_iter().all(|s| known(s).is_some()) && graph.given_in(&[e]).is_empty();
     let value = |e: Expr| graph.evaluate_scaled(&[e], &|s| known(s).unwrap_or(f64::NAN))[0];
     for (pivot, column) in elimination.values.iter().zip(&elimination.pivots) {
         if graph.as_number(*pivot).is_some() || !all_known(*pivot) {

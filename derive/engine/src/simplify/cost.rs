@@ -21,6 +21,8 @@ pub struct Cost {
     pub roots: usize,
     /// Sine and cosine of one angle, together.
     pub sincos: usize,
+    /// Selections, signs and absolute values.
+    pub selections: usize,
     /// Other elementary functions.
     pub others: usize,
 }
@@ -35,6 +37,7 @@ impl Cost {
     pub fn weight(&self) -> usize {
         self.additions
             + self.multiplications
+            + self.selections
             + DIVISION * self.divisions
             + ROOT * self.roots
             + SINCOS * self.sincos
@@ -117,7 +120,8 @@ pub fn cost(graph: &Graph, roots: &[Expr]) -> Cost {
                     cost.sincos += usize::from(angles.insert(arguments[0]));
                 }
                 Function::Sqrt => cost.roots += 1,
-                Function::Atan2 | Function::Exp | Function::Ln => cost.others += 1,
+                Function::Select | Function::Sign | Function::Abs => cost.selections += 1,
+                _ => cost.others += 1,
             },
         }
     }

@@ -262,6 +262,7 @@ fn node(graph: &Graph, classes: &Classes, term: &Term, place: &dyn Fn(&Id) -> us
             0
         }
         Term::Function(Function::Sqrt, _) => ROOT,
+        Term::Function(Function::Select | Function::Sign | Function::Abs, _) => 1,
         Term::Function(..) => OTHER,
     };
     Node { term: term.clone(), children: egg::Language::children(term).iter().map(place).collect(), own, once }

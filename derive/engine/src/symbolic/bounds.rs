@@ -88,6 +88,22 @@ impl Graph {
             Node::Function(function, arguments) => match function {
                 Function::Sin | Function::Cos => Bounds { low: -1.0, high: 1.0 },
                 Function::Exp | Function::Sqrt => Bounds { low: 0.0, high: f64::INFINITY },
+                Function::Sign | Function::Tanh => Bounds { low: -1.0, high: 1.0 },
+                Function::Asin | Function::Atan => Bounds { low: -1.6, high: 1.6 },
+                Function::Acos => Bounds { low: 0.0, high: 3.2 },
+                Function::Cosh => Bounds { low: 1.0, high: f64::INFINITY },
+                Function::Sinh | Function::Given(_) => Bounds::ALL,
+                // A negative base with an integer exponent has a power of either sign.
+                Function::Power if found[arguments[0].index()].low >= 0.0 => Bounds { low: 0.0, high: f64::INFINITY },
+                Function::Power => Bounds::ALL,
+                Function::Abs => {
+                    let Bounds { low, high } = found[arguments[0].index()];
+                    Bounds { low: low.max(-high).max(0.0), high: high.max(-low) }
+                }
+                Function::Select => {
+                    let [a, b] = [1, 2].map(|k: usize| found[arguments[k].index()]);
+                    Bounds { low: a.low.min(b.low), high: a.high.max(b.high) }
+                }
                 Function::Atan2 => Bounds { low: -std::f64::consts::PI, high: std::f64::consts::PI },
                 Function::Ln => {
                     let Bounds { low, high } = found[arguments[0].index()];

@@ -165,7 +165,7 @@ impl Graph {
 
     /// Content and primitive part of a sum: coprime integer coefficients, the first one positive. `None` where the
     /// sum is primitive already.
-    fn primitive(&mut self, sum: Expr) -> Option<(Rational, Expr)> {
+    pub(super) fn primitive(&mut self, sum: Expr) -> Option<(Rational, Expr)> {
         let Node::Sum { constant, terms } = self.node(sum) else { return None };
         let mut content = terms[0].0.clone();
         if terms.len() > 1 || !constant.is_zero() {
@@ -189,6 +189,11 @@ impl Graph {
             _ => self.intern(Node::Sum { constant, terms: terms.into_boxed_slice() }),
         };
         Some((content, part))
+    }
+
+    /// The rational content of an expression, with its sign, and the rest.
+    pub(super) fn content(&mut self, e: Expr) -> (Rational, Expr) {
+        self.primitive(e).unwrap_or((Rational::ONE, e))
     }
 
     /// The product of all.

@@ -78,6 +78,55 @@ impl Graph {
                     }
                     Function::Exp => self.mul(e, rate[0]),
                     Function::Ln => self.div(rate[0], arguments[0]),
+                    Function::Asin | Function::Acos => {
+                        // d asin x = dx / √(1 - x²) = -d acos x
+                        let square = self.powi(arguments[0], 2);
+                        let below = self.linear(Rational::ONE, &[(Rational::MINUS_ONE, square)]);
+                        let root = self.sqrt(below);
+                        let rate = self.div(rate[0], root);
+                        if function == Function::Acos { self.neg(rate) } else { rate }
+                    }
+                    Function::Atan => {
+                        let square = self.powi(arguments[0], 2);
+                        let below = self.linear(Rational::ONE, &[(Rational::ONE, square)]);
+                        self.div(rate[0], below)
+                    }
+                    Function::Sinh => {
+                        let cosh = self.function(Function::Cosh, &arguments);
+                        self.mul(cosh, rate[0])
+                    }
+                    Function::Cosh => {
+                        let sinh = self.function(Function::Sinh, &arguments);
+                        self.mul(sinh, rate[0])
+                    }
+                    Function::Tanh => {
+                        let square = self.powi(e, 2);
+                        let slope = self.linear(Rational::ONE, &[(Rational::MINUS_ONE, square)]);
+                        self.mul(slope, rate[0])
+                    }
+                    Function::Abs => {
+                        let sign = self.sign(arguments[0]);
+                        self.mul(sign, rate[0])
+                    }
+                    Function::Sign => zero,
+                    Function::Power => {
+                        // d x^y = y x^(y-1) dx + x^y ln x dy
+                        let (base, exponent) = (arguments[0], arguments[1]);
+                        let one = self.one();
+                        let lower = self.sub(exponent, one);
+                        let lower = self.powf(base, lower);
+                        let by_base = self.product(&[exponent, lower, rate[0]]);
+                        let ln = self.ln(base);
+                        let by_exponent = self.product(&[e, ln, rate[1]]);
+                        self.add(by_base, by_exponent)
+                    }
+                    Function::Given(at) => {
+                        let derivative = self.derivative_of_given(at);
+                        let slope = self.function(derivative, &arguments);
+                        self.mul(slope, rate[0])
+                    }
+                    // Branch by branch: where the condition changes its sign there is no derivative.
+                    Function::Select => self.select(arguments[0], rate[1], rate[2]),
                     Function::Atan2 => {
                         let (y, x) = (arguments[0], arguments[1]);
                         let (a, b) = (self.mul(x, rate[0]), self.mul(y, rate[1]));

@@ -1,6 +1,6 @@
 //! Text for messages and documentation.
 
-use super::{Expr, Graph, Node, Rational};
+use super::{Expr, Function, Graph, Node, Rational};
 use std::collections::HashMap;
 
 /// A subexpression whose text would be longer than this is printed as `…`.
@@ -83,9 +83,13 @@ impl Graph {
                 let atom = factors.len() == 1 && factors[0].1 > 1;
                 (out, if atom { Binding::Atom } else { Binding::Product })
             }
+            Node::Function(Function::Select, arguments) => {
+                let [condition, negative, other] = [0, 1, 2].map(|k: usize| texts[&arguments[k]].0.as_str());
+                (format!("if {condition} < 0 {{ {negative} }} else {{ {other} }}"), Binding::Sum)
+            }
             Node::Function(function, arguments) => {
                 let arguments: Vec<&str> = arguments.iter().map(|a| texts[a].0.as_str()).collect();
-                (format!("{}({})", function.name(), arguments.join(", ")), Binding::Atom)
+                (format!("{}({})", self.function_name(*function), arguments.join(", ")), Binding::Atom)
             }
         }
     }

@@ -127,7 +127,7 @@ impl Algebra for Doubles<'_> {
     }
 }
 
-/// An elementary function in double precision.
+/// An elementary function in double precision; one of the user's has no value here.
 pub fn double(function: Function, arguments: &[f64]) -> f64 {
     match function {
         Function::Sin => arguments[0].sin(),
@@ -136,5 +136,18 @@ pub fn double(function: Function, arguments: &[f64]) -> f64 {
         Function::Atan2 => arguments[0].atan2(arguments[1]),
         Function::Exp => arguments[0].exp(),
         Function::Ln => arguments[0].ln(),
+        Function::Asin => arguments[0].asin(),
+        Function::Acos => arguments[0].acos(),
+        Function::Atan => arguments[0].atan(),
+        Function::Sinh => arguments[0].sinh(),
+        Function::Cosh => arguments[0].cosh(),
+        Function::Tanh => arguments[0].tanh(),
+        Function::Abs => arguments[0].abs(),
+        Function::Sign if arguments[0] == 0.0 || arguments[0].is_nan() => arguments[0],
+        Function::Sign => arguments[0].signum(),
+        Function::Power => arguments[0].powf(arguments[1]),
+        Function::Given(_) => f64::NAN,
+        Function::Select if arguments[0].is_nan() => arguments[0],
+        Function::Select => arguments[if arguments[0] < 0.0 { 1 } else { 2 }],
     }
 }

@@ -1,7 +1,7 @@
 //! The arena: interning, names, stages and reachability.
 
 use super::identity::Points;
-use super::{Expr, Kind, Node, Rational, Stage, Symbol};
+use super::{Expr, Given, Kind, Node, Rational, Stage, Symbol};
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
@@ -16,6 +16,7 @@ pub struct Graph {
     pub(super) nonzero: HashSet<Expr>,
     pub(super) cancelled: BTreeSet<Expr>,
     pub(super) points: RefCell<Points>,
+    pub(super) given: Vec<Given>,
     pi: Symbol,
 }
 
@@ -36,6 +37,7 @@ impl Graph {
             nonzero: HashSet::new(),
             cancelled: BTreeSet::new(),
             points: RefCell::default(),
+            given: Vec::new(),
             pi: Symbol(0),
         };
         graph.intern(Node::Number(Rational::ZERO));

@@ -3,9 +3,11 @@
 //! Two expressions are called identical where they agree at three fixed points modulo each of two primes. Symbols are
 //! random residues. An angle goes by the half-angle parameter τ of its base angles, sin = 2τ/(1+τ²),
 //! cos = (1-τ²)/(1+τ²), so that every trigonometric identity with rational multiples of the base angles holds
-//! exactly; exponentials likewise by powers of a random base. Every residue has a root in the field with p² elements, so
-//! only a root of what holds roots may make a point unfit, and another is drawn; the branch is fixed by the argument. Logarithms and arcs are random functions of
-//! their arguments' values. What this cannot relate is refused, never accepted: a wrong 'identical' needs a random
+//! exactly; exponentials, hyperbolic functions and real powers likewise by powers of a random base. Every residue has a root in the field with p² elements, so
+//! only a root of what holds roots may make a point unfit, and another is drawn; the branch is fixed by the argument; |a| is
+//! the root of a². A selection is b + σ (a - b), where σ is a random function of the condition with σ(-c) = 1 - σ(c): what
+//! holds for every σ holds for 0 and 1. Logarithms and arcs are random functions of their arguments' values, the odd ones
+//! odd. What this cannot relate is refused, never accepted: a wrong 'identical' needs a random
 //! coincidence at all six points. Where roots occur the branch is a coin toss, so values in double precision, of
 //! either sign, must not contradict.
 
@@ -83,24 +85,87 @@ impl Point {
                 Function::Exp => self.exponential(graph, arguments[0]),
                 Function::Sqrt => match self.child(arguments[0]) {
                     None => None,
-                    Some(a) => {
-                        let root = f.sqrt(a).ok_or(NotASquare)?;
-                        let flip = mix(self.salt ^ a.key()) & 1 == 1;
-                        Some(if flip { f.neg(root) } else { root })
-                    }
+                    Some(a) => Some(self.root(a)?),
                 },
-                Function::Ln | Function::Atan2 => {
-                    let mut key = mix(self.salt ^ (*function as u64 + 77));
-                    for argument in arguments {
-                        match self.child(*argument) {
-                            Some(value) => key = mix(key ^ value.key()),
-                            None => return Ok(None),
+                Function::Abs | Function::Sign => match self.child(arguments[0]) {
+                    None => None,
+                    Some(a) if a.is_zero() => Some(a),
+                    Some(a) => {
+                        let magnitude = self.root(f.mul(a, a))?;
+                        if *function == Function::Abs {
+                            Some(magnitude)
+                        } else {
+                            f.recip(magnitude).map(|inverse| f.mul(a, inverse))
                         }
                     }
-                    Some(f.draw(key))
+                },
+                _ => {
+                    let values: Option<Vec<Element>> = arguments.iter().map(|a| self.child(*a)).collect();
+                    values.and_then(|values| self.function(graph, *function, arguments, &values))
                 }
             },
         })
+    }
+
+    /// Functions without branches, from their arguments' values.
+    fn function(&self, graph: &Graph, function: Function, arguments: &[Expr], values: &[Element]) -> Option<Element> {
+        let f = self.field;
+        match (function, values) {
+            (Function::Sinh | Function::Cosh | Function::Tanh, _) => {
+                let up = self.exponential(graph, arguments[0])?;
+                let down = f.recip(up)?;
+                let (twice_sinh, twice_cosh) = (f.add(up, f.neg(down)), f.add(up, down));
+                let half = f.recip(f.integer(2))?;
+                match function {
+                    Function::Sinh => Some(f.mul(half, twice_sinh)),
+                    Function::Cosh => Some(f.mul(half, twice_cosh)),
+                    _ => Some(f.mul(twice_sinh, f.recip(twice_cosh)?)),
+                }
+            }
+            // x^y = e^(y ln x)
+            (Function::Power, [base, _]) => {
+                let ln = self.hash(Function::Ln, &[*base]);
+                self.power(self.multiples(graph, arguments[1], ln)?)
+            }
+            // acos x = π/2 - asin x
+            (Function::Acos, [a]) => {
+                let quarter = f.mul(self.child(graph.pi())?, f.recip(f.integer(2))?);
+                Some(f.add(quarter, f.neg(self.odd(Function::Asin, *a))))
+            }
+            (Function::Asin | Function::Atan, [a]) => Some(self.odd(function, *a)),
+            (Function::Atan2, [y, x]) if *x == Element::ONE => Some(self.odd(Function::Atan, *y)),
+            (Function::Select, [condition, _, other]) if condition.is_zero() => Some(*other),
+            (Function::Select, [condition, negative, other]) => {
+                // An odd function of the condition, moved to ½.
+                let odd = self.odd(function, *condition);
+                let sigma = f.add(odd, f.recip(f.integer(2))?);
+                Some(f.add(*other, f.mul(sigma, f.add(*negative, f.neg(*other)))))
+            }
+            _ => Some(self.hash(function, values)),
+        }
+    }
+
+    /// The root with the branch that belongs to the argument.
+    fn root(&self, a: Element) -> Result<Element, NotASquare> {
+        let root = self.field.sqrt(a).ok_or(NotASquare)?;
+        let flip = mix(self.salt ^ a.key()) & 1 == 1;
+        Ok(if flip { self.field.neg(root) } else { root })
+    }
+
+    /// A random function of the arguments' values.
+    fn hash(&self, function: Function, values: &[Element]) -> Element {
+        let start = mix(self.salt ^ function.key());
+        self.field.draw(values.iter().fold(start, |key, value| mix(key ^ value.key())))
+    }
+
+    /// A random odd function of the argument's value.
+    fn odd(&self, function: Function, a: Element) -> Element {
+        let opposite = self.field.neg(a);
+        match a.key().cmp(&opposite.key()) {
+            std::cmp::Ordering::Less => self.hash(function, &[a]),
+            std::cmp::Ordering::Equal => Element::ZERO,
+            std::cmp::Ordering::Greater => self.field.neg(self.hash(function, &[opposite])),
+        }
     }
 
     fn linear(&self, constant: &Rational, terms: &[(Rational, Expr)]) -> Option<Element> {
@@ -110,13 +175,13 @@ impl Point {
             .try_fold(f.rational(constant)?, |total, (c, e)| Some(f.add(total, f.mul(f.rational(c)?, self.child(*e)?))))
     }
 
-    /// The argument of a function as integer multiples of base quantities: (multiple, key of the base).
-    fn multiples(&self, graph: &Graph, argument: Expr) -> Option<Vec<(i64, u64)>> {
+    /// The argument of a function, times a factor, as integer multiples of base quantities: (multiple, key of the base).
+    fn multiples(&self, graph: &Graph, argument: Expr, factor: Element) -> Option<Vec<(i64, u64)>> {
         let (constant, terms) = graph.as_sum(argument);
         let one = (!constant.is_zero()).then_some((constant, graph.one()));
         let mut parts = Vec::with_capacity(terms.len() + 1);
         for (coefficient, base) in terms.into_iter().chain(one) {
-            let value = self.child(base)?;
+            let value = self.field.mul(factor, self.child(base)?);
             match coefficient.mul(&Rational::integer(DENOMINATOR)).as_integer() {
                 Some(multiple) => parts.push((multiple, value.key())),
                 // A multiple of no common base: an angle of its own.
@@ -133,7 +198,7 @@ impl Point {
             (f.add(f.mul(a, c), f.neg(f.mul(b, d))), f.add(f.mul(a, d), f.mul(b, c)))
         };
         let mut total = (Element::ONE, Element::ZERO);
-        for (multiple, key) in self.multiples(graph, argument)? {
+        for (multiple, key) in self.multiples(graph, argument, Element::ONE)? {
             let tau = f.draw(self.salt ^ mix(key ^ 0x7a));
             let square = f.mul(tau, tau);
             let below = f.recip(f.add(Element::ONE, square))?;
@@ -153,8 +218,13 @@ impl Point {
     }
 
     fn exponential(&self, graph: &Graph, argument: Expr) -> Option<Element> {
+        self.power(self.multiples(graph, argument, Element::ONE)?)
+    }
+
+    /// e to the power of the sum of the multiples.
+    fn power(&self, multiples: Vec<(i64, u64)>) -> Option<Element> {
         let f = self.field;
-        self.multiples(graph, argument)?.into_iter().try_fold(Element::ONE, |total, (multiple, key)| {
+        multiples.into_iter().try_fold(Element::ONE, |total, (multiple, key)| {
             let base = f.draw(self.salt ^ mix(key ^ 0xe));
             let base = if multiple < 0 { f.recip(base)? } else { base };
             Some(f.mul(total, f.pow(base, multiple.unsigned_abs())))
@@ -197,7 +267,9 @@ impl Graph {
     /// Whether values in double precision show that the two differ; asked only where roots occur.
     fn contradicted(&self, a: Expr, b: Expr) -> bool {
         let order = self.reachable(&[a, b]);
-        if !order.iter().any(|e| matches!(self.node(*e), Node::Function(Function::Sqrt, _))) {
+        let branches =
+            |e: &Expr| matches!(self.node(*e), Node::Function(Function::Sqrt | Function::Abs | Function::Sign, _));
+        if !order.iter().any(branches) {
             return false;
         }
         // Points near and far: a root may be real only beyond some value.
@@ -250,7 +322,11 @@ impl Algebra for Scaled<'_> {
     }
     fn function(&mut self, function: Function, arguments: &[Self::Value]) -> Self::Value {
         let values: Vec<f64> = arguments.iter().map(|a| a.0).collect();
-        let x = super::evaluate::double(function, &values);
+        let x = match function {
+            // What holds for every function holds for this one.
+            Function::Given(at) => (0.7 * values[0] + f64::from(at)).sin() + 0.3 * values[0],
+            _ => super::evaluate::double(function, &values),
+        };
         (x, x.abs() + arguments.iter().map(|a| a.1).sum::<f64>())
     }
 }

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`rational`] | exact numbers, small ones without allocation |
 //! | [`node`] | what an expression is: symbols, n-ary sums and products, functions |
+//! | [`given`] | functions of the user's |
 //! | [`graph`] | the arena: interning, names, stages, reachability |
 //! | [`construct`] | canonical sums, products and powers |
 //! | [`functions`] | canonical sin, cos, √, atan2, exp, ln |
@@ -22,6 +23,7 @@ pub mod differentiate;
 pub mod display;
 pub mod evaluate;
 pub mod functions;
+pub mod given;
 pub mod graph;
 pub mod identity;
 pub mod matrix;
@@ -34,6 +36,7 @@ mod tests;
 
 pub use construct::Assumptions;
 pub use evaluate::Algebra;
+pub use given::Given;
 pub use graph::Graph;
 pub use matrix::Matrix;
 pub use node::{Expr, Function, Kind, Node, Stage, Symbol};

@@ -70,7 +70,7 @@ impl Kind {
     }
 }
 
-/// An elementary function. `tan` is built from sine and cosine.
+/// An elementary function. `tan` is built from sine and cosine, `min` and `max` from a selection.
 #[derive(Copy, Clone, Eq, PartialEq, Ord, PartialOrd, Hash, Debug)]
 pub enum Function {
     /// Sine.
@@ -85,10 +85,38 @@ pub enum Function {
     Exp,
     /// Natural logarithm.
     Ln,
+    /// Inverse sine, in [-π/2, π/2].
+    Asin,
+    /// Inverse cosine, in [0, π].
+    Acos,
+    /// Inverse tangent, in (-π/2, π/2).
+    Atan,
+    /// Hyperbolic sine.
+    Sinh,
+    /// Hyperbolic cosine.
+    Cosh,
+    /// Hyperbolic tangent.
+    Tanh,
+    /// Absolute value.
+    Abs,
+    /// -1, 0 or 1.
+    Sign,
+    /// A real power; arguments base, exponent.
+    Power,
+    /// The second argument where the first is negative, else the third.
+    Select,
+    /// A function of the user's, or one of its derivatives: a position in the graph's table.
+    Given(u32),
 }
 
 impl Function {
-    /// Name as written in a model.
+    /// A number of its own, the same in every process.
+    pub fn key(self) -> u64 {
+        let given = if let Function::Given(at) = self { u64::from(at) } else { 0 };
+        self.name().bytes().fold(given, |key, byte| super::modular::mix(key ^ u64::from(byte)))
+    }
+
+    /// Name as written in a model; [`Graph::function_name`](super::Graph::function_name) knows those of the user's.
     pub fn name(self) -> &'static str {
         match self {
             Function::Sin => "sin",
@@ -97,6 +125,17 @@ impl Function {
             Function::Atan2 => "atan2",
             Function::Exp => "exp",
             Function::Ln => "ln",
+            Function::Asin => "asin",
+            Function::Acos => "acos",
+            Function::Atan => "atan",
+            Function::Sinh => "sinh",
+            Function::Cosh => "cosh",
+            Function::Tanh => "tanh",
+            Function::Abs => "abs",
+            Function::Sign => "sign",
+            Function::Power => "powf",
+            Function::Select => "select",
+            Function::Given(_) => "given",
         }
     }
 }

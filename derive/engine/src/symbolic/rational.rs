@@ -173,6 +173,11 @@ impl Rational {
         }
     }
 
+    /// The magnitude.
+    pub fn abs(&self) -> Self {
+        if self.is_negative() { self.neg() } else { self.clone() }
+    }
+
     /// The reciprocal; `None` for zero.
     pub fn recip(&self) -> Option<Self> {
         match self {

@@ -188,3 +188,152 @@ fn the_content_of_a_long_sum_is_taken_out() {
     let twice = g.scale(Rational::integer(2), b);
     assert_eq!(a, twice);
 }
+
+#[test]
+fn the_functions_have_canonical_forms() {
+    let (mut g, x, y, _) = three();
+    let (x, y) = (g.var(x), g.var(y));
+    let (difference, opposite) = (g.sub(x, y), g.sub(y, x));
+    for function in [Function::Asin, Function::Atan, Function::Sinh, Function::Tanh, Function::Sign] {
+        let (a, b) = (g.function(function, &[difference]), g.function(function, &[opposite]));
+        let sum = g.add(a, b);
+        assert!(g.is_zero(sum), "{}", function.name());
+    }
+    for function in [Function::Cosh, Function::Abs] {
+        let (a, b) = (g.function(function, &[difference]), g.function(function, &[opposite]));
+        assert_eq!(a, b, "{}", function.name());
+    }
+    let triple = g.scale(Rational::integer(-3), difference);
+    let (a, b) = (g.abs(triple), g.abs(difference));
+    assert_eq!(a, g.scale(Rational::integer(3), b));
+    let one = g.one();
+    let exact = [(Function::Asin, "PI/2"), (Function::Acos, "0"), (Function::Atan, "PI/4")];
+    for (function, expected) in exact {
+        let value = g.function(function, &[one]);
+        assert_eq!(g.display(value), expected);
+    }
+    // Equal branches are one, a number decides, and min and max do not depend on the order.
+    assert_eq!(g.select(x, y, y), y);
+    let minus = g.integer(-2);
+    assert_eq!(g.select(minus, x, y), x);
+    assert_eq!(g.min(x, y), g.min(y, x));
+    assert_eq!(g.max(x, y), g.max(y, x));
+    let half = g.number(Rational::Small(3, 2));
+    let (power, root) = (g.powf(x, half), g.sqrt(x));
+    assert_eq!(power, g.mul(x, root));
+    let choice = g.select(difference, x, y);
+    assert_eq!(g.display(choice), "if x - y < 0 { x } else { y }");
+}
+
+#[test]
+fn identities_of_the_functions_are_decided() {
+    let (mut g, x, y, _) = three();
+    let (x, y) = (g.var(x), g.var(y));
+    let of = |g: &mut Graph, function: Function, e: Expr| g.function(function, &[e]);
+    let (s, c) = (of(&mut g, Function::Sinh, x), of(&mut g, Function::Cosh, x));
+    let (s2, c2) = (g.powi(s, 2), g.powi(c, 2));
+    let difference = g.sub(c2, s2);
+    assert!(g.identical(difference, g.one()) && !g.identical(c2, s2));
+    let (tanh, quotient) = (of(&mut g, Function::Tanh, x), g.div(s, c));
+    assert!(g.identical(tanh, quotient));
+    let (asin, acos) = (of(&mut g, Function::Asin, x), of(&mut g, Function::Acos, x));
+    let arcs = g.add(asin, acos);
+    let quarter = g.scale(Rational::Small(1, 2), g.pi());
+    assert!(g.identical(arcs, quarter) && !g.identical(asin, acos));
+    let (atan, atan2) = (of(&mut g, Function::Atan, x), g.atan2(x, g.one()));
+    assert!(g.identical(atan, atan2));
+    // |x|² = x², and |x| is neither x nor -x, at whatever points.
+    let (abs, x2) = (g.abs(x), g.powi(x, 2));
+    let (abs2, root, minus) = (g.powi(abs, 2), g.sqrt(x2), g.neg(x));
+    assert!(g.identical(abs2, x2) && g.identical(abs, root));
+    assert!(!g.identical(abs, x) && !g.identical(abs, minus));
+    let sign = g.sign(x);
+    let product = g.mul(sign, abs);
+    assert!(g.identical(product, x) && !g.identical(sign, g.one()));
+    // x^y = e^(y ln x)
+    let (power, ln) = (g.powf(x, y), g.ln(x));
+    let exponent = g.mul(y, ln);
+    let exponential = g.exp(exponent);
+    assert!(g.identical(power, exponential) && !g.identical(power, x));
+}
+
+#[test]
+fn selections_are_related_as_far_as_they_are_linear() {
+    let (mut g, x, y, m) = three();
+    let (x, y, m) = (g.var(x), g.var(y), g.var(m));
+    let condition = g.sub(x, m);
+    let choice = g.select(condition, x, y);
+    let (scaled, mx, my) = (g.mul(m, choice), g.mul(m, x), g.mul(m, y));
+    let inside = g.select(condition, mx, my);
+    assert!(g.identical(scaled, inside) && !g.identical(choice, x) && !g.identical(choice, y));
+    // min + max = a + b
+    let (least, most) = (g.min(x, y), g.max(x, y));
+    let (both, sum) = (g.add(least, most), g.add(x, y));
+    assert!(g.identical(both, sum));
+    // A condition that vanishes takes the second branch.
+    let (s, c) = (g.sin(x), g.cos(x));
+    let (s2, c2, one) = (g.powi(s, 2), g.powi(c, 2), g.one());
+    let sum = g.sum(&[s2, c2]);
+    let zero = g.sub(sum, one);
+    let choice = g.select(zero, x, y);
+    assert!(g.identical(choice, y));
+}
+
+#[test]
+fn derivatives_of_the_functions_agree_with_differences() {
+    let (mut g, xs, ys, _) = three();
+    let (x, y) = (g.var(xs), g.var(ys));
+    let half = g.scale(Rational::Small(1, 2), x);
+    let mut parts: Vec<Expr> = [
+        Function::Asin,
+        Function::Acos,
+        Function::Atan,
+        Function::Sinh,
+        Function::Cosh,
+        Function::Tanh,
+        Function::Abs,
+        Function::Sign,
+    ]
+    .into_iter()
+    .map(|function| g.function(function, &[half]))
+    .collect();
+    parts.push(g.powf(x, y));
+    parts.push(g.powf(y, x));
+    let (square, cube) = (g.powi(x, 2), g.powi(x, 3));
+    let number = g.number(Rational::Small(1, 2));
+    let condition = g.sub(x, number);
+    parts.push(g.select(condition, square, cube));
+    parts.push(g.min(square, y));
+    parts.push(g.max(square, y));
+    for at in [0.4, 1.1] {
+        let values = |v: f64| move |s: Symbol| if s == xs { v } else { 0.7 };
+        let h = 1e-5;
+        for part in &parts {
+            let slope = g.derivative(*part, xs);
+            let exact = g.evaluate(&[slope], &values(at))[0];
+            let numeric =
+                (g.evaluate(&[*part], &values(at + h))[0] - g.evaluate(&[*part], &values(at - h))[0]) / (2.0 * h);
+            assert!((numeric - exact).abs() < 1e-9, "{}: {numeric} {exact}", g.display(*part));
+        }
+    }
+}
+
+#[test]
+fn functions_of_the_users_are_differentiated_order_by_order() {
+    let (mut g, x, y, _) = three();
+    let road = g.give(&["road".to_owned(), "slope".to_owned()]);
+    let sum = g.linear(Rational::ZERO, &[(Rational::integer(2), g.var(x)), (Rational::ONE, g.var(y))]);
+    let value = g.function(road, &[sum]);
+    let first = g.derivative(value, x);
+    assert_eq!(g.display(first), "2*slope(2*x + y)");
+    assert!(g.given().iter().all(|given| !given.missing));
+    let second = g.derivative(first, x);
+    let given: Vec<_> = g.given_in(&[second]).into_iter().map(|at| g.given()[at].clone()).collect();
+    assert!(matches!(given.as_slice(), [given] if given.missing && given.order == 2 && given.function == 0));
+    // Decided by the argument's value, and no function is another.
+    let (a, b) = (g.var(x), g.var(y));
+    let (ab, ba) = (g.sub(a, b), g.sub(b, a));
+    let (one, minus) = (g.function(road, &[ab]), g.neg(ba));
+    let other = g.function(road, &[minus]);
+    assert!(g.identical(one, other) && !g.identical(one, value) && !g.identical(first, value));
+}

@@ -1,6 +1,8 @@
 //! What a model says, as it says it: the result of reading, before any name is resolved.
 
-use proc_macro2::{Ident, Span};
+use std::collections::BTreeMap;
+
+use proc_macro2::{Ident, Span, TokenStream};
 use syn::{Generics, Path, Type, Visibility};
 
 use super::diagnostics::Place;
@@ -17,6 +19,8 @@ pub struct Declarations {
     pub generics: Generics,
     /// The struct's fields in order: parameters and what passes through.
     pub fields: Vec<Field>,
+    /// The arrays among the names with their lengths: `a[3]` stands for `a_0`, `a_1`, `a_2`.
+    pub arrays: BTreeMap<String, i64>,
     /// `#[holonomy(..)]`.
     pub options: Options,
     /// `#[coordinates(..)]`, in order, without the further coordinates of `configuration`.
@@ -27,6 +31,8 @@ pub struct Declarations {
     pub inputs: Vec<Name>,
     /// `#[define(..)]`, in order of appearance (which has no meaning).
     pub defines: Vec<Define>,
+    /// `#[function(..)]`, in order.
+    pub functions: Vec<UserFunction>,
     /// `#[kinematics(..)]`, (2.1) or (2.2) or both.
     pub kinematics: Option<Kinematics>,
     /// `#[inertia(..)]`, M of (2.3).
@@ -53,8 +59,10 @@ pub struct Declarations {
 /// A field of the struct.
 #[derive(Clone, Debug)]
 pub struct Field {
-    /// The field's name.
+    /// The field's name; `m_0` for the first entry of an array.
     pub ident: Ident,
+    /// The field as it is read: `m`, or `m[0]`.
+    pub member: TokenStream,
     /// Its type as written.
     pub ty: Type,
     /// Whether the type is written `f64` or is one of the struct's type parameters: such a field is
@@ -145,6 +153,15 @@ pub struct Assignment {
     pub name: Ident,
     /// The right side.
     pub value: Expression,
+}
+
+/// `#[function(road(s), derivatives = [droad, ddroad])]`
+#[derive(Clone, Debug)]
+pub struct UserFunction {
+    /// Its name in equations: the last segment of its path.
+    pub name: Ident,
+    /// The paths of the function, of its derivative, of the second derivative and so on.
+    pub orders: Vec<Path>,
 }
 
 /// `#[define(mu = ..)]`

@@ -7,6 +7,11 @@ use proc_macro2::{Delimiter, Group, Ident, Spacing, Span, TokenStream, TokenTree
 use super::declarations::{Name, Quantity};
 use super::diagnostics::{Diagnostics, Place, messages};
 use super::expression::{Expression, is_punct};
+use super::families::element_name;
+use super::integer;
+
+/// An array has at most so many entries.
+pub(crate) const LONGEST: i64 = 4096;
 
 /// What stands between two commas.
 pub(crate) struct Entry {
@@ -49,25 +54,31 @@ impl Entry {
         Expression::read(&self.tokens, self.end, diagnostics)
     }
 
-    /// The whole entry as a name that is introduced here, with the doc comment before it.
-    pub fn name(&self, diagnostics: &mut Diagnostics) -> Option<Name> {
+    /// The whole entry as a name that is introduced here, with the doc comment before it; `a[3]` is three names.
+    pub fn names(&self, diagnostics: &mut Diagnostics) -> Vec<Name> {
         let (docs, rest) = self.docs(diagnostics);
         match rest {
-            [token] => {
-                let ident = ident(token, diagnostics)?;
-                Some(Name { ident, docs })
-            }
-            [TokenTree::Ident(_), TokenTree::Group(group), ..] if group.delimiter() == Delimiter::Bracket => {
-                diagnostics.report(group.span_open(), messages::family());
-                None
+            [token] => ident(token, diagnostics).map(|ident| Name { ident, docs }).into_iter().collect(),
+            [token @ TokenTree::Ident(name), TokenTree::Group(group)] if group.delimiter() == Delimiter::Bracket => {
+                let inner: Vec<TokenTree> = group.stream().into_iter().collect();
+                let length = integer::value(&inner).filter(|length| (1..=LONGEST).contains(length));
+                let Some(length) = length else {
+                    diagnostics.report(group.span(), messages::length_expected(LONGEST));
+                    return Vec::new();
+                };
+                if ident(token, diagnostics).is_none() {
+                    return Vec::new();
+                }
+                let element = |index| Ident::new(&element_name(name, index), name.span());
+                (0..length).map(|index| Name { ident: element(index), docs: docs.clone() }).collect()
             }
             [TokenTree::Ident(name), next, ..] => {
                 diagnostics.report(next.span(), messages::comma_expected(name));
-                None
+                Vec::new()
             }
             _ => {
                 diagnostics.report(self.place(), messages::name_expected());
-                None
+                Vec::new()
             }
         }
     }

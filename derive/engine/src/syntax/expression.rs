@@ -10,7 +10,7 @@ use syn::{BinOp, Expr, ExprUnary, UnOp, parenthesized};
 
 use super::diagnostics::{Diagnostics, Place, messages};
 use super::refusal::refusal;
-use super::{nesting, number};
+use super::{conditional, nesting, number};
 use crate::symbolic::Rational;
 
 /// An expression in postfix order; the last term is the whole.
@@ -33,6 +33,9 @@ pub enum Term {
     Binary(Operator, usize, usize),
     /// `f(a, b)`
     Call(String, Vec<usize>),
+    /// `if left < right { then } else { other }`: the four operands in this order. `>` and `>=` stand with their sides
+    /// exchanged.
+    If(Comparison, [usize; 4]),
     /// What could not be read; its error is reported already.
     Hole,
 }
@@ -48,6 +51,15 @@ pub enum Operator {
     Multiply,
     /// `/`
     Divide,
+}
+
+/// What an `if` asks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Comparison {
+    /// `left < right`
+    Less,
+    /// `left <= right`
+    AtMost,
 }
 
 impl Expression {
@@ -116,8 +128,9 @@ enum Step {
     Negative(Span),
     Binary(Operator, Span),
     Call(Ident, usize),
-    /// In place of an operation on two operands that was refused.
-    Hole(Span),
+    If(Comparison, Span),
+    /// In place of an operation on so many operands that was refused.
+    Hole(usize, Span),
 }
 
 /// Takes the tree apart from the top. It is consumed piece by piece, because dropping a long sum
@@ -148,7 +161,7 @@ fn flatten(root: Expr, place: Place, diagnostics: &mut Diagnostics) -> Expressio
                         Err((span, message)) => {
                             // Both sides are looked at all the same: they may hold more errors.
                             diagnostics.report_local(span, message);
-                            steps.push(Step::Hole(span));
+                            steps.push(Step::Hole(2, span));
                         }
                     }
                     steps.push(Step::Visit(*binary.right));
@@ -163,6 +176,22 @@ fn flatten(root: Expr, place: Place, diagnostics: &mut Diagnostics) -> Expressio
                     }
                     None => Err((call.paren_token.span.open(), messages::call_of_no_name())),
                 },
+                Expr::If(choice) => {
+                    let span = choice.if_token.span;
+                    match conditional::read(choice) {
+                        Ok((comparison, operands)) => {
+                            steps.push(Step::If(comparison, span));
+                            steps.extend(operands.into_iter().rev().map(Step::Visit));
+                        }
+                        Err(refused) => {
+                            // What could be read is looked at all the same: it may hold more errors.
+                            diagnostics.report_local(refused.place, refused.message);
+                            steps.push(Step::Hole(refused.parts.len(), span));
+                            steps.extend(refused.parts.into_iter().rev().map(Step::Visit));
+                        }
+                    }
+                    continue;
+                }
                 Expr::Lit(literal) => match number::read(&literal.lit) {
                     Ok(number) => Ok((Term::Number(number), literal.lit.span())),
                     Err(message) => Err((literal.lit.span(), message)),
@@ -185,9 +214,14 @@ fn flatten(root: Expr, place: Place, diagnostics: &mut Diagnostics) -> Expressio
                 let left = take(&mut operands);
                 (Term::Binary(operator, left, right), span)
             }
-            Step::Hole(span) => {
-                operands.truncate(operands.len().saturating_sub(2));
+            Step::Hole(count, span) => {
+                operands.truncate(operands.len().saturating_sub(count));
                 (Term::Hole, span)
+            }
+            Step::If(comparison, span) => {
+                let mut parts = [0; 4];
+                parts.iter_mut().rev().for_each(|part| *part = take(&mut operands));
+                (Term::If(comparison, parts), span)
             }
             Step::Call(function, count) => {
                 let arguments = operands.split_off(operands.len().saturating_sub(count));

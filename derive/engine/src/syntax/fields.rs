@@ -1,32 +1,46 @@
 //! The struct's fields with their units and nominal values.
 
-use syn::{Attribute, Data, DeriveInput, Expr, Fields, GenericParam, Lit, Meta, Type};
+use std::collections::BTreeMap;
+
+use proc_macro2::{Ident, Literal};
+use quote::quote;
+use syn::{Attribute, Data, DeriveInput, Expr, ExprLit, Fields, GenericParam, Lit, Meta, Type};
 
 use super::declarations::{Field, Unit};
 use super::diagnostics::{Diagnostics, messages};
 use super::entries;
 use super::expression::{Expression, Operator, Term};
+use super::families::element_name;
 use super::read::{Statement, statement};
 use super::statements::FIELD_STATEMENTS;
 
+/// The fields of a struct.
+#[derive(Default)]
+pub(crate) struct Read {
+    /// The fields in order, arrays entry by entry.
+    pub fields: Vec<Field>,
+    /// The arrays; `None` where the length is no literal.
+    pub arrays: BTreeMap<String, Option<i64>>,
+}
+
 /// The fields in order; none where the input is not a struct with named fields.
-pub(crate) fn read(input: &DeriveInput, diagnostics: &mut Diagnostics) -> Vec<Field> {
+pub(crate) fn read(input: &DeriveInput, diagnostics: &mut Diagnostics) -> Read {
     let fields = match &input.data {
         Data::Struct(data) => match &data.fields {
             Fields::Named(fields) => &fields.named,
-            Fields::Unit => return Vec::new(),
+            Fields::Unit => return Read::default(),
             Fields::Unnamed(fields) => {
                 diagnostics.report(fields.paren_token.span.open(), messages::tuple_struct());
-                return Vec::new();
+                return Read::default();
             }
         },
         Data::Enum(data) => {
             diagnostics.report(data.enum_token.span, messages::not_a_struct("an enum"));
-            return Vec::new();
+            return Read::default();
         }
         Data::Union(data) => {
             diagnostics.report(data.union_token.span, messages::not_a_struct("a union"));
-            return Vec::new();
+            return Read::default();
         }
     };
     let parameters: Vec<String> = input
@@ -38,7 +52,7 @@ pub(crate) fn read(input: &DeriveInput, diagnostics: &mut Diagnostics) -> Vec<Fi
             _ => None,
         })
         .collect();
-    let mut read = Vec::new();
+    let mut read = Read::default();
     for field in fields {
         let Some(ident) = field.ident.clone() else {
             continue;
@@ -63,16 +77,57 @@ pub(crate) fn read(input: &DeriveInput, diagnostics: &mut Diagnostics) -> Vec<Fi
                 nominal = Some(value);
             }
         }
-        read.push(Field {
+        let one = Field {
             scalar: is_scalar(&field.ty, &parameters),
             docs: docs(&field.attrs),
-            ident,
+            member: quote!(#ident),
+            ident: ident.clone(),
             ty: field.ty.clone(),
             unit,
             nominal,
-        });
+        };
+        match array(&field.ty).filter(|(element, _)| is_scalar(element, &parameters)) {
+            Some((element, Some(length))) => {
+                read.arrays.insert(ident.to_string(), Some(length));
+                let entries = (0..length).map(|index| {
+                    let place = Literal::i64_unsuffixed(index);
+                    Field {
+                        scalar: true,
+                        member: quote!(#ident[#place]),
+                        ident: Ident::new(&element_name(&ident, index), ident.span()),
+                        ty: element.clone(),
+                        ..one.clone()
+                    }
+                });
+                read.fields.extend(entries);
+            }
+            Some((_, None)) => {
+                read.arrays.insert(ident.to_string(), None);
+                read.fields.push(one);
+            }
+            None => read.fields.push(one),
+        }
     }
     read
+}
+
+/// Element and length of an array type; no length where it is no literal, or where it is beyond all use.
+fn array(ty: &Type) -> Option<(&Type, Option<i64>)> {
+    let mut ty = ty;
+    loop {
+        match ty {
+            Type::Group(group) => ty = &group.elem,
+            Type::Paren(paren) => ty = &paren.elem,
+            Type::Array(array) => {
+                let length = match &array.len {
+                    Expr::Lit(ExprLit { lit: Lit::Int(length), .. }) => length.base10_parse::<i64>().ok(),
+                    _ => None,
+                };
+                return Some((&array.elem, length.filter(|length| *length <= entries::LONGEST)));
+            }
+            _ => return None,
+        }
+    }
 }
 
 /// The one expression in a statement's parentheses.
@@ -146,6 +201,7 @@ fn unit(expression: &Expression, diagnostics: &mut Diagnostics) -> Option<Unit> 
                 (Vec::new(), Some(whole))
             }
             Term::Hole => return None,
+            Term::If(..) => return refused(diagnostics, *span),
             Term::Negative(of) => match values[*of].1 {
                 Some(number) => (Vec::new(), number.checked_neg()),
                 None => return refused(diagnostics, *span),
@@ -186,7 +242,7 @@ fn unit(expression: &Expression, diagnostics: &mut Diagnostics) -> Option<Unit> 
         diagnostics.report_local(expression.place(), messages::unit_form());
         return None;
     }
-    let mut sums = std::collections::BTreeMap::new();
+    let mut sums = BTreeMap::new();
     for (name, exponent) in factors {
         let sum: &mut i32 = sums.entry(name).or_default();
         *sum = sum.saturating_add(exponent);

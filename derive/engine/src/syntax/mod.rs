@@ -3,11 +3,14 @@
 //! [`parse`] reads a derive input and every statement on it. It resolves no name and computes
 //! nothing; every node keeps its span. All errors are collected in [`Diagnostics`].
 
+mod conditional;
 mod declarations;
 mod diagnostics;
 mod entries;
 mod expression;
+mod families;
 mod fields;
+mod integer;
 mod nesting;
 mod number;
 mod options;
@@ -22,7 +25,7 @@ use proc_macro2::TokenStream;
 pub use declarations::*;
 pub use diagnostics::{Diagnostic, Diagnostics, Place, nearest};
 pub(crate) use diagnostics::{did_you_mean, messages};
-pub use expression::{Expression, Operator, Term};
+pub use expression::{Comparison, Expression, Operator, Term};
 pub use statements::{FIELD_STATEMENTS, PLANNED_STATEMENTS, STATEMENTS, helper_attributes};
 
 /// Reads a derive input without an error.

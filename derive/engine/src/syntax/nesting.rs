@@ -32,8 +32,9 @@ pub(crate) fn check_brackets(input: &TokenStream) -> Result<(), Diagnostic> {
 }
 
 /// Refuses an expression whose descent would be deeper than [`DEPTH`]. Brackets count, and every
-/// prefix operator in a row; so does, wherever it stands, each token that has no place in an
-/// equation (`if`, `|`, `.`, ..). Sums and products may be long: they are parsed by a loop.
+/// prefix operator in a row, and every `if` between the same brackets (`else if` descends); so does, wherever it stands,
+/// each token that has no place in an equation (`match`, `|`, `.`, ..), and after the first of these every `<` (in a type
+/// it descends). Sums and products may be long: they are parsed by a loop.
 pub(crate) fn check_expression(expression: &[TokenTree]) -> Result<(), Diagnostic> {
     let mut foreign = 0;
     let mut open = vec![Level::new(expression.to_vec(), 0)];
@@ -43,24 +44,35 @@ pub(crate) fn check_expression(expression: &[TokenTree]) -> Result<(), Diagnosti
             continue;
         };
         let span = token.span();
-        let depth = level.depth + level.run;
+        let depth = level.depth + level.run + level.choices;
         let mut inner = None;
         match token {
             TokenTree::Literal(_) => level.operand(),
             TokenTree::Ident(ident) => {
-                let keyword = syn::parse2::<syn::Ident>(TokenTree::Ident(ident).into()).is_err();
+                let choice = ident == "if";
+                let known = choice || ident == "else";
+                let keyword = !known && syn::parse2::<syn::Ident>(TokenTree::Ident(ident).into()).is_err();
                 foreign += usize::from(keyword);
                 level.operand();
+                level.choices += usize::from(choice);
+                // What follows is no call.
+                level.after_operator = known;
             }
             TokenTree::Group(group) => {
-                // `f(..)(..)(..)` is a chain, `f(..)` is not.
-                foreign += usize::from(level.after_group);
+                // `f(..)(..)(..)` is a chain, `f(..)` is not, and `if a < f(x) {..}` neither.
+                foreign += usize::from(level.after_group && group.delimiter() != Delimiter::Brace);
                 level.operand();
                 level.after_group = group.delimiter() != Delimiter::None;
                 inner = Some(group.stream().into_iter().collect());
             }
             TokenTree::Punct(punct) => {
-                foreign += usize::from(!"+-*/,".contains(punct.as_char()));
+                let comparison = match punct.as_char() {
+                    '<' | '>' => foreign == 0,
+                    '=' => level.after_comparison,
+                    _ => false,
+                };
+                foreign += usize::from(!comparison && !"+-*/,".contains(punct.as_char()));
+                level.after_comparison = comparison && punct.as_char() != '=';
                 level.run = if level.after_operator { level.run + 1 } else { 0 };
                 level.after_operator = true;
                 level.after_group = false;
@@ -85,17 +97,30 @@ struct Level {
     run: usize,
     after_operator: bool,
     after_group: bool,
+    /// Behind a `<` or a `>`.
+    after_comparison: bool,
+    /// The `if`s up to here.
+    choices: usize,
 }
 
 impl Level {
     fn new(tokens: Vec<TokenTree>, depth: usize) -> Self {
-        Level { tokens: tokens.into_iter(), depth, run: 0, after_operator: true, after_group: false }
+        Level {
+            tokens: tokens.into_iter(),
+            depth,
+            run: 0,
+            after_operator: true,
+            after_group: false,
+            after_comparison: false,
+            choices: 0,
+        }
     }
 
     fn operand(&mut self) {
         self.run = 0;
         self.after_operator = false;
         self.after_group = false;
+        self.after_comparison = false;
     }
 }
 

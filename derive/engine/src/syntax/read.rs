@@ -1,12 +1,13 @@
 //! The statements on the struct, one after another.
 
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
-use syn::{Attribute, DeriveInput, MacroDelimiter, Meta};
+use syn::{Attribute, DeriveInput, MacroDelimiter, Meta, Path};
 
 use super::declarations::*;
 use super::diagnostics::{Diagnostics, Place, messages};
 use super::entries::{self, Entry, double_equals, is_colon, quantity, single_equals, single_ident};
-use super::expression::Expression;
+use super::expression::{Expression, is_punct};
+use super::families::Families;
 use super::statements::{FIELD_STATEMENTS, PLANNED_STATEMENTS, STATEMENTS, misspelt};
 use super::{fields, options};
 
@@ -29,9 +30,13 @@ pub(crate) fn declarations(input: DeriveInput, diagnostics: &mut Diagnostics) ->
     for attribute in &input.attrs {
         statements.extend(statement(attribute, STATEMENTS, diagnostics));
     }
+    let read_fields = fields::read(&input, diagnostics);
+    let mut families = Families::new(read_fields.arrays);
+    write_out(&mut statements, &mut families, diagnostics);
     let krate = options::default_crate(input.ident.span());
     let mut declarations = Declarations {
-        fields: fields::read(&input, diagnostics),
+        fields: read_fields.fields,
+        arrays: families.lengths(),
         ident: input.ident,
         vis: input.vis,
         generics: input.generics,
@@ -40,6 +45,7 @@ pub(crate) fn declarations(input: DeriveInput, diagnostics: &mut Diagnostics) ->
         speeds: None,
         inputs: Vec::new(),
         defines: Vec::new(),
+        functions: Vec::new(),
         kinematics: None,
         inertia: None,
         forces: None,
@@ -54,7 +60,8 @@ pub(crate) fn declarations(input: DeriveInput, diagnostics: &mut Diagnostics) ->
     let mut seen: Vec<String> = Vec::new();
     for statement in &statements {
         let name = statement.name.to_string();
-        let repeatable = matches!(name.as_str(), "constraint" | "define" | "start" | "inputs" | "independent");
+        let repeatable =
+            matches!(name.as_str(), "constraint" | "define" | "function" | "start" | "inputs" | "independent");
         if seen.contains(&name) && !repeatable {
             diagnostics.report(&statement.name, messages::statement_twice(&name));
         } else {
@@ -64,6 +71,28 @@ pub(crate) fn declarations(input: DeriveInput, diagnostics: &mut Diagnostics) ->
     }
     declarations.complete = diagnostics.only_local();
     declarations
+}
+
+/// Sizes and lengths first, wherever they stand; then every statement without families.
+fn write_out(statements: &mut Vec<Statement>, families: &mut Families, diagnostics: &mut Diagnostics) {
+    let is = |statement: &Statement, names: &[&str]| names.iter().any(|name| statement.name == name);
+    for size in statements.iter().filter(|statement| is(statement, &["size"])) {
+        families.size(size.tokens.clone(), size.end, diagnostics);
+    }
+    for statement in statements.iter().filter(|s| is(s, &["coordinates", "speeds", "inputs", "configuration"])) {
+        families.declare(statement.tokens.clone());
+    }
+    statements.retain(|statement| !is(statement, &["size"]));
+    for statement in statements {
+        let tokens = std::mem::take(&mut statement.tokens);
+        statement.tokens = if is(statement, &["coordinates", "speeds", "inputs"]) {
+            families.declaration(tokens)
+        } else if is(statement, &["function", "holonomy"]) {
+            tokens
+        } else {
+            families.statement(tokens, diagnostics)
+        };
+    }
 }
 
 /// The statement that an attribute is, if it is one of those `allowed` here. What belongs to other
@@ -128,6 +157,7 @@ fn read(statement: &Statement, model: &mut Declarations, diagnostics: &mut Diagn
         },
         "constraint" => model.constraints.extend(constraints(&entries, diagnostics)),
         "define" => model.defines.extend(assignments(&entries, "mu = expression", diagnostics)),
+        "function" => model.functions.extend(function(&entries, diagnostics)),
         "start" => model.start.extend(assignments(&entries, "theta = 0.3", diagnostics)),
         "configuration" => model.configuration = Some(configuration(&entries, span, diagnostics)),
         "independent" => {
@@ -145,7 +175,7 @@ fn read(statement: &Statement, model: &mut Declarations, diagnostics: &mut Diagn
 }
 
 fn names(entries: &[Entry], diagnostics: &mut Diagnostics) -> Vec<Name> {
-    entries.iter().filter_map(|entry| entry.name(diagnostics)).collect()
+    entries.iter().flat_map(|entry| entry.names(diagnostics)).collect()
 }
 
 fn expressions(entries: &[Entry], diagnostics: &mut Diagnostics) -> Vec<Expression> {
@@ -267,6 +297,54 @@ fn constraint(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<Constraint
             None
         }
     }
+}
+
+/// `road(s), derivatives = [droad, ddroad]`
+fn function(entries: &[Entry], diagnostics: &mut Diagnostics) -> Option<UserFunction> {
+    let (first, rest) = entries.split_first()?;
+    let (path, argument) = match first.tokens.split_last() {
+        Some((TokenTree::Group(argument), path)) if argument.delimiter() == Delimiter::Parenthesis => (path, argument),
+        _ => {
+            diagnostics.report(first.place(), messages::function_form());
+            return None;
+        }
+    };
+    match entries::split(argument.stream(), argument.span_close()).as_slice() {
+        [one] if matches!(one.tokens.as_slice(), [TokenTree::Ident(_)]) => {}
+        _ => diagnostics.report(argument.span(), messages::function_of_one_argument()),
+    }
+    let path = path_of(path, first.place(), diagnostics)?;
+    let name = path.segments.last().map(|segment| segment.ident.clone())?;
+    let mut orders = vec![path];
+    match rest {
+        [] => {}
+        [derivatives] => {
+            let list = match derivatives.tokens.as_slice() {
+                [TokenTree::Ident(word), equals, list @ ..] if word == "derivatives" && is_punct(equals, '=') => {
+                    bracketed(list)
+                }
+                _ => None,
+            };
+            let Some((list, _)) = list else {
+                diagnostics.report(derivatives.place(), messages::function_form());
+                return None;
+            };
+            for entry in &list {
+                orders.push(path_of(&entry.tokens, entry.place(), diagnostics)?);
+            }
+        }
+        [_, second, ..] => diagnostics.report(second.place(), messages::function_form()),
+    }
+    Some(UserFunction { name, orders })
+}
+
+/// A path to a function, as emitted code can use it.
+fn path_of(tokens: &[TokenTree], place: Place, diagnostics: &mut Diagnostics) -> Option<Path> {
+    let read = syn::parse::Parser::parse2(Path::parse_mod_style, tokens.iter().cloned().collect());
+    if read.is_err() {
+        diagnostics.report(place, messages::function_path());
+    }
+    read.ok()
 }
 
 fn configuration(entries: &[Entry], span: Span, diagnostics: &mut Diagnostics) -> Configuration {

@@ -17,6 +17,8 @@ pub const STATEMENTS: &[&str] = &[
     "inputs",
     "define",
     "start",
+    "size",
+    "function",
     "holonomy",
 ];
 
@@ -27,9 +29,7 @@ pub const FIELD_STATEMENTS: &[&str] = &["unit", "nominal"];
 /// registered with the derive all the same, so that the error is ours and tells what is missing.
 pub const PLANNED_STATEMENTS: &[&str] = &[
     "kinetic_energy",
-    "function",
     "output",
-    "size",
     "frame",
     "point",
     "particle",

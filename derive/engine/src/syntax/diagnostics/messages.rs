@@ -60,8 +60,28 @@ messages! {
         "expected `,` after `{name}`";
     attribute_on_name() =
         "only doc comments can stand before a name here";
-    family() =
-        "families of names are not supported yet; write the names out";
+    family_form() =
+        "a family is written `entry for i in 0..n`";
+    range_expected() =
+        "expected a range of integers such as `0..n`: literals, sizes and indices with `+ - * / %`, `min` and `max`";
+    integer_expected() =
+        "a size is an integer: `n = 20`, or one made of sizes above it by `+ - * / %`";
+    size_twice(name) =
+        "the size `{name}` is given twice";
+    length_expected(most) =
+        "the length of an array is an integer from 1 to {most}, or a size";
+    length_unknown(name) =
+        "the length of `{name}` is no literal, so the derive cannot see it; write `[f64; 5]`";
+    index_out_of_range(index, name, entries) =
+        "the index {index} is out of range: `{name}` has {entries}";
+    index_negative(index) =
+        "the index {index} is negative";
+    sum_form(name) =
+        "expected `{name}(0..n, |j| expression)`";
+    families_too_large(most) =
+        "families come to more than {most} tokens when they are written out";
+    array_without_index(name, length) =
+        "`{name}` is an array of {length}; name an entry, such as `{name}[0]`";
     keyword(name) =
         "`{name}` is a keyword of Rust and cannot be a name here";
     raw_identifier(name) =
@@ -86,6 +106,14 @@ messages! {
         "a constraint is written with `==`";
     second_equation() =
         "a constraint is one equation, this is a second `==`";
+    function_form() =
+        "expected `road(s), derivatives = [droad, ddroad, ..]`: functions from f64 to f64 in scope";
+    function_of_one_argument() =
+        "functions of the user's take one argument: expected one name, such as `road(s)`";
+    function_path() =
+        "expected the path of a function, such as `road` or `tracks::road`";
+    function_lacks_derivative(name, order, equation) =
+        "`{name}` needs its derivative of order {order}, for `{equation}`; name it in `derivatives = [..]`";
     unit_form() =
         "expected a unit such as `kg*m/s`: names with `*`, `/` and `powi(s, 2)`, or `1`";
 }
@@ -101,7 +129,7 @@ messages! {
     attribute_in_expression() =
         "attributes cannot stand inside an expression";
     foreign_syntax() =
-        "not part of an equation: use numbers, names, `+ - * /`, parentheses and functions";
+        "not part of an equation: use numbers, names, `+ - * /`, parentheses, functions and `if`";
     operator(operator) =
         "the operator `{operator}` is not part of an equation: use `+`, `-`, `*` and `/`";
     caret() =
@@ -121,13 +149,23 @@ messages! {
     path_to_pi() =
         "write `PI`, without a path";
     index() =
-        "indices are not supported yet; a name stands for a number";
+        "an index is an integer of literals, sizes and indices of families";
     array() =
-        "arrays are not supported yet; write the components one by one";
+        "an array is no number; name its entries one by one";
     tuple() =
         "a tuple is not a number; separate entries by commas without parentheses";
-    condition(keyword) =
-        "`{keyword}` is not supported yet";
+    choice_by_match() =
+        "`match` is not part of an equation; write `if a < b {{ .. }} else {{ .. }}`";
+    else_missing() =
+        "an `if` without `else` has no value where its condition does not hold; add `else {{ .. }}`";
+    condition_form() =
+        "the condition of an `if` compares two expressions, by `<`, `<=`, `>` or `>=`";
+    condition_joined() =
+        "conditions cannot be joined; nest one `if` in another";
+    condition_of_equality() =
+        "numbers of a motion are equal at instants only; compare by `<`, `<=`, `>` or `>=`";
+    branch_form() =
+        "a branch holds one expression, its value; name parts of it with `define`";
     cast() =
         "casts are not needed: every expression is a number";
     underscore() =
@@ -190,7 +228,7 @@ messages! {
     wrong_number_of_arguments(function, expected, found) =
         "`{function}` takes {expected}, not {found}";
     exponent(most) =
-        "the exponent of `powi` is an integer between -{most} and {most}; use `sqrt` or `exp` and `ln` for other powers";
+        "the exponent of `powi` is an integer between -{most} and {most}; use `powf` for other powers";
     division_by_zero() =
         "division by zero";
     undefined(function) =

@@ -62,15 +62,26 @@ impl Diagnostics {
         Self::default()
     }
 
-    /// Adds an error at a token or a stretch of tokens.
+    /// Adds an error at a token or a stretch of tokens; once, where a family says it for every index.
     pub fn report(&mut self, place: impl Into<Place>, message: impl Into<String>) {
-        self.list.push(Diagnostic { place: place.into(), message: message.into() });
+        self.add(place.into(), message.into());
+    }
+
+    /// Whether the error is a new one.
+    fn add(&mut self, place: Place, message: String) -> bool {
+        // Spans can be compared as text only.
+        let same =
+            |other: &Diagnostic| other.message == message && format!("{:?}", other.place) == format!("{place:?}");
+        let new = !self.list.iter().any(same);
+        if new {
+            self.list.push(Diagnostic { place, message });
+        }
+        new
     }
 
     /// Adds an error that leaves the rest of the model as it was meant: one inside an expression, say.
     pub(crate) fn report_local(&mut self, place: impl Into<Place>, message: String) {
-        self.report(place, message);
-        self.local += 1;
+        self.local += usize::from(self.add(place.into(), message));
     }
 
     /// Whether all errors, if any, leave the rest of the model as it was meant.

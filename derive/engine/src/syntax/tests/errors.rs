@@ -34,7 +34,44 @@ fn forms_of_statements() {
         ),
         (r#"coordinates(x y)"#, &["1:17 `y`: expected `,` after `x`"]),
         (r#"coordinates(x,,y)"#, &["1:17 `,`: expected a name"]),
-        (r#"coordinates(a[n])"#, &["1:16 `[`: families of names are not supported yet; write the names out"]),
+        (
+            r#"coordinates(a[n], b[0])"#,
+            &[
+                "1:16 `[n]`: the length of an array is an integer from 1 to 4096, or a size",
+                "1:22 `[0]`: the length of an array is an integer from 1 to 4096, or a size",
+            ],
+        ),
+        (
+            r#"size(n = 2, m = k)"#,
+            &["1:15 `m = k`: a size is an integer: `n = 20`, or one made of sizes above it by `+ - * / %`"],
+        ),
+        (r#"size(n = 2, n = 3)"#, &["1:15 `n`: the size `n` is given twice"]),
+        (
+            r#"forces(1 for i in n, 2 for i)"#,
+            &[
+                "1:21 `n`: expected a range of integers such as `0..n`: literals, sizes and indices with `+ - * / %`, `min` and `max`",
+                "1:26 `for`: a family is written `entry for i in 0..n`",
+            ],
+        ),
+        (
+            r#"forces(sum(0..2, j*j), sum(x..2, |j| j))"#,
+            &[
+                "1:10 `sum`: expected `sum(0..n, |j| expression)`",
+                "1:30 `x..2`: expected a range of integers such as `0..n`: literals, sizes and indices with `+ - * / %`, `min` and `max`",
+            ],
+        ),
+        (
+            r#"coordinates(a[3])] #[forces(a[3], a[i - 4] for i in 0..1, a[1/0])"#,
+            &[
+                "1:33 `3`: the index 3 is out of range: `a` has 3 entries",
+                "1:39 `i - 4`: the index -4 is out of range: `a` has 3 entries",
+                "1:62 `[`: an index is an integer of literals, sizes and indices of families",
+            ],
+        ),
+        (
+            r#"forces(1 for i in 0..100000 for j in 0..100000)"#,
+            &["1:31 `for`: families come to more than 400000 tokens when they are written out"],
+        ),
         (
             r#"coordinates(type, r#type, _, 3, #[cfg(a)] b)"#,
             &[
@@ -99,6 +136,15 @@ fn forms_of_statements() {
             r#"constraint(c::x == 0)"#,
             &["1:14 `c::x == 0`: expected `name: left == right`; the name is that of the constraint's reaction"],
         ),
+        (
+            r#"function(road)] #[function(road(a, b))] #[function(a + b(x))] #[function(road(s), [droad])"#,
+            &[
+                "1:12 `road`: expected `road(s), derivatives = [droad, ddroad, ..]`: functions from f64 to f64 in scope",
+                "1:34 `(a, b)`: functions of the user's take one argument: expected one name, such as `road(s)`",
+                "1:54 `a + b(x)`: expected the path of a function, such as `road` or `tracks::road`",
+                "1:86 `[droad]`: expected `road(s), derivatives = [droad, ddroad, ..]`: functions from f64 to f64 in scope",
+            ],
+        ),
         (r#"potential_energy(a, b)"#, &["1:23 `b`: expected one expression, found another after the comma"]),
         (r#"complement(w1 = 3)"#, &["1:14 `w1 = 3`: expected `w1 = [e1, .., en]`"]),
         (r#"complement(w1 [3])"#, &["1:14 `w1 [3]`: expected `w1 = [e1, .., en]`"]),
@@ -137,26 +183,73 @@ fn rust_that_is_no_equation() {
         (r#"std::f64::consts::PI"#, &["1:40 `PI`: write `PI`, without a path"]),
         (r#"f64::sin(x)"#, &["1:30 `(`: only functions with a plain name can be called, such as `sin(theta)`"]),
         (r#"f64::MAX"#, &["1:27 `MAX`: paths are not part of an equation: use plain names"]),
-        (r#"m[2]"#, &["1:23 `[`: indices are not supported yet; a name stands for a number"]),
-        (r#"[1, 2]"#, &["1:22 `[`: arrays are not supported yet; write the components one by one"]),
-        (r#"[1; 2]"#, &["1:22 `[`: arrays are not supported yet; write the components one by one"]),
+        (r#"m[k]"#, &["1:23 `[`: an index is an integer of literals, sizes and indices of families"]),
+        (r#"m[0 - 2]"#, &["1:24 `0 - 2`: the index -2 is negative"]),
+        (r#"[1, 2]"#, &["1:22 `[`: an array is no number; name its entries one by one"]),
+        (r#"[1; 2]"#, &["1:22 `[`: an array is no number; name its entries one by one"]),
         (r#"(1, 2)"#, &["1:22 `(`: a tuple is not a number; separate entries by commas without parentheses"]),
         (r#"()"#, &["1:22 `(`: a tuple is not a number; separate entries by commas without parentheses"]),
-        (r#"if a < b { 1 } else { 2 }"#, &["1:22 `if`: `if` is not supported yet"]),
-        (r#"match x {}"#, &["1:22 `match`: `match` is not supported yet"]),
+        (
+            r#"if a < b { 1 }"#,
+            &["1:22 `if`: an `if` without `else` has no value where its condition does not hold; add `else { .. }`"],
+        ),
+        (
+            r#"if a { 1 } else { 2 }"#,
+            &["1:25 `a`: the condition of an `if` compares two expressions, by `<`, `<=`, `>` or `>=`"],
+        ),
+        (
+            r#"if a + b { c^2 } else { 2 }"#,
+            &[
+                "1:27 `+`: the condition of an `if` compares two expressions, by `<`, `<=`, `>` or `>=`",
+                "1:34 `^`: `^` is not a power in Rust; write `powi(x, 2)`",
+            ],
+        ),
+        (
+            r#"if a < b && c < d { 1 } else { 2 }"#,
+            &["1:31 `&&`: conditions cannot be joined; nest one `if` in another"],
+        ),
+        (
+            r#"if (a == b) { 1 } else { 2 }"#,
+            &["1:25 `(a == b)`: the condition of an `if` compares two expressions, by `<`, `<=`, `>` or `>=`"],
+        ),
+        (
+            r#"if a != b { 1 } else { 2 }"#,
+            &["1:27 `!=`: numbers of a motion are equal at instants only; compare by `<`, `<=`, `>` or `>=`"],
+        ),
+        (
+            r#"if a < b { let c = 1; c } else { 2 }"#,
+            &["1:31 `{ let c = 1; c }`: a branch holds one expression, its value; name parts of it with `define`"],
+        ),
+        (
+            r#"if a < b { } else if a < c { 1 } else { d; }"#,
+            &[
+                "1:31 `{ }`: a branch holds one expression, its value; name parts of it with `define`",
+                "1:60 `{ d; }`: a branch holds one expression, its value; name parts of it with `define`",
+            ],
+        ),
+        (r#"match x {}"#, &["1:22 `match`: `match` is not part of an equation; write `if a < b { .. } else { .. }`"]),
         (r#"x as f64"#, &["1:24 `as`: casts are not needed: every expression is a number"]),
         (r#"_"#, &["1:22 `_`: `_` stands for an entry by symmetry in `inertia(matrix(..))` only"]),
         (r#"&x"#, &["1:22 `&`: the operator `&` is not part of an equation: use `+`, `-`, `*` and `/`"]),
         (r#"*x"#, &["1:22 `*`: the operator `*` is not part of an equation: use `+`, `-`, `*` and `/`"]),
         (r#"!x"#, &["1:22 `!`: the operator `!` is not part of an equation: use `+`, `-`, `*` and `/`"]),
         (r#"x?"#, &["1:23 `?`: the operator `?` is not part of an equation: use `+`, `-`, `*` and `/`"]),
-        (r#"{ x }"#, &["1:22 `{`: not part of an equation: use numbers, names, `+ - * /`, parentheses and functions"]),
+        (
+            r#"{ x }"#,
+            &["1:22 `{`: not part of an equation: use numbers, names, `+ - * /`, parentheses, functions and `if`"],
+        ),
         (
             r#"foo!(x)"#,
-            &["1:25 `!`: not part of an equation: use numbers, names, `+ - * /`, parentheses and functions"],
+            &["1:25 `!`: not part of an equation: use numbers, names, `+ - * /`, parentheses, functions and `if`"],
         ),
-        (r#"|x| x"#, &["1:22 `|`: not part of an equation: use numbers, names, `+ - * /`, parentheses and functions"]),
-        (r#"x..y"#, &["1:22 `x`: not part of an equation: use numbers, names, `+ - * /`, parentheses and functions"]),
+        (
+            r#"|x| x"#,
+            &["1:22 `|`: not part of an equation: use numbers, names, `+ - * /`, parentheses, functions and `if`"],
+        ),
+        (
+            r#"x..y"#,
+            &["1:22 `x`: not part of an equation: use numbers, names, `+ - * /`, parentheses, functions and `if`"],
+        ),
         (r#""text""#, &["1:22 `\"text\"`: only integers and decimal fractions are numbers here"]),
         (r#"true"#, &["1:22 `true`: only integers and decimal fractions are numbers here"]),
         (r#"1.0f64"#, &["1:22 `1.0f64`: write `1.0` without the suffix `f64`: numbers are exact and have no type"]),
@@ -179,7 +272,7 @@ fn rust_that_is_no_equation() {
         ),
         (
             r#"return"#,
-            &["1:22 `return`: not part of an equation: use numbers, names, `+ - * /`, parentheses and functions"],
+            &["1:22 `return`: not part of an equation: use numbers, names, `+ - * /`, parentheses, functions and `if`"],
         ),
         (r#"async"#, &["1:22 `async`: cannot read this expression: expected an expression"]),
         (r#"-"#, &["1:22 `-`: cannot read this expression: unexpected end of input, expected an expression"]),
@@ -187,6 +280,14 @@ fn rust_that_is_no_equation() {
     for (expression, expected) in table {
         assert_eq!(of_expression(expression), *expected, "{expression}");
     }
+}
+
+/// Comparisons, and choices one beside the other, may be many: they do not descend.
+#[test]
+fn choices_do_not_add_up() {
+    let choice = "if f(a) <= g(b) { -c } else if a > b { 0 } else { h(c, 2) }";
+    let sum: Vec<String> = (0..100).map(|_| format!("2*({choice})")).collect();
+    assert_eq!(of_expression(&sum.join(" + ")), [""; 0]);
 }
 
 #[test]
@@ -283,6 +384,14 @@ fn nesting_is_bounded() {
         ("", ".f()"),
         ("", "(x)"),
         ("if a { ", "}"),
+        ("if a < b { ", "} else { 0 }"),
+        ("if a < b { 0 } else ", ""),
+        ("if ", " < a { 1 } else { 2 }"),
+        ("x as a<b<", ""),
+        ("if x as a<", ""),
+        ("a::<", ""),
+        ("|a: a<", ""),
+        ("<", ""),
     ];
     for (open, close) in forms {
         for depth in [8, 12, 16, 24, 32, 40, 44, 48, 20_000] {
