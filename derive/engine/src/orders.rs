@@ -15,14 +15,14 @@ pub fn check(declarations: &Declarations, equations: &mut Equations, errors: &mu
     let mut notes = Vec::new();
     for (number, function) in declarations.functions.iter().enumerate() {
         // The highest order that is used, and by what first.
-        let mut highest: Option<(usize, &'static str)> = None;
+        let mut highest: Option<(usize, &str)> = None;
         for entry in &all {
             let used = graph.given_in(&entry.roots()).into_iter().map(|at| &graph.given()[at]);
             let order = used.filter(|given| given.function == number).map(|given| given.order).max();
             if let Some(order) = order
                 && highest.is_none_or(|(known, _)| order > known)
             {
-                highest = Some((order, entry.name));
+                highest = Some((order, entry.name.as_str()));
             }
         }
         let Some((order, equation)) = highest else { continue };
