@@ -5,7 +5,7 @@ mod kinds;
 
 use holonomy::forms::NullSpaceMethod;
 use holonomy::{ConstrainedSystem, Error, Prepared, State};
-use kinds::AppellHamel;
+use kinds::{AppellHamel, TripleRod};
 
 const METHODS: [NullSpaceMethod; 3] = [NullSpaceMethod::Lu, NullSpaceMethod::Qr, NullSpaceMethod::Svd];
 
@@ -142,4 +142,28 @@ fn the_machine_of_appell_and_hamel_at_rest_is_bound_in_no_direction() {
         matches!(error, Error::ChartSingularity { value: 0.0, time: 0.0, .. } | Error::Dependent { .. }),
         "{error}"
     );
+}
+
+#[test]
+fn rows_that_are_marked_redundant_are_no_loss() {
+    let model = TripleRod { m: 2.0, g: 9.81, l: 0.5 }.prepare().expect("good parameters");
+    let s = State::<TripleRod> { x: 0.3, y: -0.4, dot_x: 0.2 };
+    assert_eq!(model.check_rank(0.0, &s), Ok(1.0));
+    let full = model.initial_equations_at(0.0, &s, &[]);
+    let names: Vec<&str> = full.rows.clone();
+    assert_eq!(names.len(), 3);
+    // (2.8) needs independent rows, and says which are not; the general form shares the load as the model does.
+    assert!(matches!(full.solve(), Err(Error::Dependent { rows, .. }) if rows == names));
+    let expected: [f64; 3] = model.multipliers(0.0, &s, &[]).into();
+    let rates: [f64; 2] = model.velocity_rates(0.0, &s, &[]).into();
+    for method in METHODS {
+        let (found, multipliers) = full.solve_by(method).expect("consistent");
+        assert!(found.iter().zip(rates).all(|(found, rate)| (found - rate).abs() < 1e-12));
+        assert!(multipliers.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-12));
+    }
+    let (found, _) = full.independent_rows().expect("finite").solve().expect("one row");
+    assert!(found.iter().zip(rates).all(|(found, rate)| (found - rate).abs() < 1e-12));
+    // On the point where the rods are fixed all directions are lost, redundant or not.
+    let fixed = model.check_rank(0.0, &State::<TripleRod>::default());
+    assert!(matches!(fixed, Err(Error::Dependent { rows, .. }) if rows.len() == 1));
 }

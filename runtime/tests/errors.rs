@@ -3,6 +3,7 @@
 mod models;
 
 use holonomy::Error;
+use holonomy::forms::NullSpaceMethod;
 use holonomy::prelude::*;
 use models::*;
 
@@ -143,4 +144,36 @@ fn errors_travel_as_standard_errors() {
     }
     assert!(run().unwrap_err().to_string().contains("`rod`"));
     assert!(matches!(converted(), Err(Error::Unmet { .. })));
+}
+
+#[test]
+fn ranks_that_are_lost_and_projections_that_leave_a_constraint() {
+    let error = pendulum().check_rank(2.0, &PendulumState::default()).unwrap_err();
+    tells(&error, &["`rod`", "y vanishes", "t = 2", "0e0", "redundant"]);
+    let s = PendulumState { x: 0.3, y: -0.4, dot_x: 0.2 };
+    let full = pendulum().initial_equations_at(0.0, &s, &[]);
+    let mut twice = full.clone();
+    twice.rows = vec!["rod", "again"];
+    twice.constraint_matrix = full.constraint_matrix.clone().insert_row(1, 0.0);
+    let row = full.constraint_matrix.row(0).into_owned();
+    twice.constraint_matrix.set_row(1, &row);
+    twice.constraint_bias = full.constraint_bias.push(full.constraint_bias[0] + 1.0);
+    tells(&twice.solve().unwrap_err(), &["`rod`, `again`", "depend"]);
+    let error = twice.solve_by(NullSpaceMethod::Svd).unwrap_err();
+    tells(&error, &["`rod`, `again`", "contradict", "5e-1"]);
+    // Along the rod instead of across it.
+    let a = nalgebra::DVector::zeros(2);
+    let error = full.stages().project(&["rod"], &full.constraint_matrix, &a).unwrap_err();
+    assert!(matches!(error, Error::NotTangent { constraint: "rod", value } if (value - 0.25).abs() < 1e-15));
+    tells(&error, &["`rod`", "2.5e-1", "D Cᵀ"]);
+}
+
+#[test]
+fn assemblies_that_fail() {
+    let error = pendulum().assemble(PendulumState { x: 0.7, y: -0.3, dot_x: 0.0 }).hold("x").solve().unwrap_err();
+    tells(&error, &["`rod`", "1.2", "in its way", "`x`"]);
+    // Nothing is in the way where nothing was asked for.
+    let error = pendulum().assemble(PendulumState::default()).solve().unwrap_err();
+    tells(&error, &["`rod`", "-1.25e-1", "another guess"]);
+    assert!(!error.to_string().contains("in its way"));
 }
