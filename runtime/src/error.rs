@@ -158,6 +158,13 @@ pub enum Error {
         /// (rows, columns) given.
         given: (usize, usize),
     },
+    /// A method of another crate gave up.
+    Solver {
+        /// What it says.
+        reason: String,
+        /// The last time that it reached.
+        time: f64,
+    },
     /// A trajectory was asked for a time that it does not cover.
     OutOfRange {
         /// The time.
@@ -279,6 +286,10 @@ impl fmt::Display for Error {
                 out,
                 "{matrix} must have {} rows and {} columns and has {} and {}",
                 needed.0, needed.1, given.0, given.1
+            ),
+            Error::Solver { reason, time } => write!(
+                out,
+                "the method gave up after t = {time}: {reason}; loosen its tolerance, allow it more steps, or take another method"
             ),
             Error::OutOfRange { time, from, to } => {
                 write!(out, "t = {time} lies outside of the trajectory, which covers {from} to {to}")

@@ -30,7 +30,8 @@
 //! # }
 //! ```
 //!
-//! Features: `std` (default) or `libm` for the elementary functions, `derive` (default) for the macro.
+//! Features: `std` (default) or `libm` for the elementary functions, `derive` (default) for the macro;
+//! `differential-equations` for the implicit methods of the crate of that name.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -51,6 +52,8 @@ compile_error!("holonomy needs elementary functions: enable the feature `std` (d
 
 #[cfg(any(feature = "std", feature = "libm"))]
 mod assemble;
+#[cfg(feature = "differential-equations")]
+pub mod differential_equations;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod carriers;
 #[cfg(any(feature = "std", feature = "libm"))]
