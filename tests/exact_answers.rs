@@ -10,6 +10,7 @@ use models::{
     Atwood, BeadByDistance, BeadOnRod, ConicalPendulum, DoublePendulum, HangingPendulum, KnifeEdge, Pendulum,
     PendulumByAngle, Sleigh, SleighInPlane,
 };
+use support::extrapolation::integrate;
 use support::golden::assert_close;
 use support::running::{Running, by_rows};
 use support::special::{gudermannian, jacobi, quarter_period};
@@ -222,5 +223,35 @@ fn p16_double_pendulum() {
     let energy = pendulum.energy(0.0, &start);
     for y in run {
         assert!((pendulum.energy(0.0, &y) - energy).abs() <= 1e-11 * (m1 + m2) * G * (l1 + l2), "energy");
+    }
+}
+
+/// From a state off the constraint, (3.5) keeps f̈ = 0 and nothing else: f(t) = f0 + ḟ0 t. Both D = [-y, x] and a numerical one.
+#[test]
+fn p18_drift_from_inconsistent_data() {
+    let (m, l) = (1.5, 0.8);
+    let pendulum = Pendulum { m, l, g: G }.prepare().expect("good parameters");
+    let (f0, rate0) = (0.02, -0.013);
+    // x² + y² = l² + 2 f0 and x x' + y y' = f0'
+    let radius = (l * l + 2.0 * f0).sqrt();
+    let (sin, cos) = 0.7_f64.sin_cos();
+    let (along, across) = (rate0 / radius, 1.1);
+    let start = [radius * sin, -radius * cos, along * sin + across * cos, -along * cos + across * sin];
+    let rate = |t: f64, y: &[f64], given: bool| {
+        let full = pendulum.initial_equations(t, &[y[0], y[1]], &[y[2], y[3]].into(), &[]);
+        let rates = if given {
+            full.tangent_rates(&nalgebra::DMatrix::from_row_slice(1, 2, &[-y[1], y[0]])).expect("regular")
+        } else {
+            full.solve_by(holonomy::forms::NullSpaceMethod::Qr).expect("regular").0
+        };
+        vec![y[2], y[3], rates[0], rates[1]]
+    };
+    for given in [true, false] {
+        let times = times(3.0, 6);
+        for (t, y) in times.iter().zip(integrate(|t, y| rate(t, y, given), &start, &times, 0.02)) {
+            let f = (y[0] * y[0] + y[1] * y[1] - l * l) / 2.0;
+            let expected = f0 + rate0 * t;
+            assert!((f - expected).abs() <= IN_MOTION * l * l, "{f} instead of {expected} at {t}");
+        }
     }
 }

@@ -7,8 +7,8 @@ mod support;
 
 use claims::compiled::{claim, other_claim};
 use claims::states::{Point, random_state};
-use holonomy::{ConstrainedSystem, Prepared};
-use oracle::{Declaration, Report, System, check, read_models};
+use holonomy::{ConstrainedSystem, Dual, Prepared, Vector};
+use oracle::{Claim, Declaration, Report, System, check, read_models};
 use registry::every_model;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -45,24 +45,63 @@ fn drawn<'a, M: ConstrainedSystem>(
     panic!("{}: no state was reached", declared.name)
 }
 
+/// How long a conservative model runs.
+const RUN: f64 = 20.0;
+
+/// The rate of the energy along the motion, as a part of the power of the forces; `None` without a potential.
+fn energy_rate<M: ConstrainedSystem>(model: &Prepared<M>, claim: &Claim) -> Option<f64> {
+    claim.potential_energy?;
+    let dual = model.system().clone().prepare_as::<Dual<f64>>().expect("the parameters are good");
+    let y: Vec<f64> = claim.state_coordinates.iter().chain(&claim.speeds).copied().collect();
+    let rate: Vec<f64> = claim.coordinate_rates.iter().chain(&claim.accelerations).copied().collect();
+    let state = M::State::<Dual<f64>>::from_fn(|i| Dual::new(y[i], rate[i]));
+    let power = claim.forces.iter().zip(&claim.velocities).fold(0.0, |sum, (h, v)| sum + (h * v).abs());
+    Some(dual.energy(Dual::variable(claim.t), &state).derivative.abs() / (power + claim.kinetic_energy + f64::EPSILON))
+}
+
+/// The largest change of the energy in a run, as a part of the energies that are exchanged; a run that leaves its chart counts so far.
+fn energy_drift<M: ConstrainedSystem>(model: &Prepared<M>, (t, q, u): &Point) -> f64 {
+    let y: Vec<f64> = q.iter().chain(u).copied().collect();
+    let start = M::State::<f64>::from_fn(|i| y[i]);
+    let simulation = model.simulate(start).starting_at(*t).tolerance(1e-10, 1e-12).max_steps(20_000).every(0.25);
+    let run = simulation.until(t + RUN).unwrap_or_else(|stop| stop.trajectory);
+    let energies: Vec<f64> = run.iter().map(|(t, s)| model.energy(t, s)).collect();
+    let kinetic =
+        |(t, s): (f64, &M::State<f64>)| model.kinetic_energy(t, &model.coordinates(t, s), &model.velocities(t, s));
+    let exchanged = run.iter().map(kinetic).fold(energies[0].abs(), f64::max);
+    energies.iter().fold(0.0_f64, |worst, e| worst.max((e - energies[0]).abs())) / exchanged
+}
+
 /// Holds the emitted code of a model against its declaration.
 fn agrees<M: ConstrainedSystem>(file: &str, random: &mut SplitMix, build: impl Fn(&[f64]) -> M) {
     let all = declared(file);
     let declared = all.iter().find(|d| d.name == M::MODEL.name).expect("the model is declared in its file");
     let mut total = Report::default();
+    let mut runs = Vec::new();
+    let mut steady = true;
     for _ in 0..STATES {
-        let (system, model, (t, q, u)) = drawn(declared, &build, random);
+        let (system, model, point) = drawn(declared, &build, random);
+        let (t, q, u) = point.clone();
         let inputs = &system.inputs;
         for claim in [claim(&model, t, &q, &u, inputs), other_claim(&model, t, &q, &u, inputs)] {
             let report = check(&system, &claim);
             let parameters = &system.parameters;
+            steady &= inputs.is_empty() && energy_rate(&model, &claim).is_some_and(|rate| rate < 1e-9);
             report.assert(&format!("{} at t = {t}, q = {q:?}, u = {u:?}, parameters {parameters:?}", declared.name));
             total.add(report);
         }
+        runs.push((model, point));
+    }
+    // where the energy does not change at any state, it must not change in a run
+    let mut drift = String::new();
+    if steady {
+        let drifts: Vec<f64> = runs.iter().take(2).map(|(model, point)| energy_drift(model, point)).collect();
+        assert!(drifts.iter().all(|d| *d < 1e-7), "{}: the energy drifts by {drifts:?}", declared.name);
+        drift = format!(", energy kept to {:.0e}", drifts.iter().fold(0.0_f64, |worst, d| worst.max(*d)));
     }
     let Report { compared, worst, worst_in, .. } = total;
     println!(
-        "{:24} {compared:6} numbers compared, largest error {worst:.1e} of its bound, in {worst_in}",
+        "{:24} {compared:6} numbers compared, largest error {worst:.1e} of its bound, in {worst_in}{drift}",
         declared.name
     );
 }

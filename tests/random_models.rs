@@ -63,7 +63,7 @@ fn every_model_has_a_motion() {
 /// The models that tests/random_compiled.rs derives; `HOLONOMY_BLESS=1` writes the file anew.
 #[test]
 fn the_committed_models_are_the_generated_ones() {
-    let text = crate_text(&first(50, 23));
+    let text = crate_text(&first(200, 23));
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/random_models.rs");
     if std::env::var_os("HOLONOMY_BLESS").is_some() {
         std::fs::write(path, &text).expect("the file is written");

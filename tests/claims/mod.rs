@@ -3,4 +3,5 @@
 
 pub mod compiled;
 pub mod evaluated;
+pub mod stages;
 pub mod states;

@@ -70,7 +70,7 @@ pub fn classes(system: &System<'_>, t: f64, x: &[f64], v: &[f64], k: usize) -> B
         "m = 0" => c.nrows() == 0 && model.configuration.is_none(),
         "m = n − 1" => n > 1 && rank == n - 1,
         "redundant rows" => rank < c.nrows() && model.constraints.iter().any(|c| c.redundant),
-        "M from T" => model.inertia.is_empty(),
+        "M from T" => model.kinetic_energy.is_some(),
         other => panic!("{other} is no class"),
     };
     CLASSES.into_iter().filter(|class| holds(class)).collect()

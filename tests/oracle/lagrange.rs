@@ -24,7 +24,7 @@ impl System<'_> {
     /// ∂M/∂t, entry by entry.
     pub(super) fn inertia_rate(&self, t: f64, x: &[f64]) -> Vec<f64> {
         let (moving, x, n) = (Dual::moving(t, 1.0), fixed(x), self.model.n());
-        if self.model.inertia.is_empty() {
+        if self.model.kinetic_energy.is_some() {
             let origin = vec![Dual::zero(); n];
             let second = |k: usize| {
                 let v = seeded(&seeded(&origin, k / n), k % n);

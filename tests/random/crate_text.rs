@@ -1,16 +1,26 @@
 //! Random models as a file of Rust.
 
 use super::generate::RandomModel;
+use super::in_one_stage;
 
-/// The structs, and a macro that calls another one with every model and its fields.
+/// The structs, a macro that calls another one with every model and its fields, and one with every pair of a model in two stages
+/// and the same in one.
 pub fn crate_text(models: &[RandomModel]) -> String {
-    let structs: String = models.iter().map(|model| format!("\n{}", model.source)).collect();
-    let call = |model: &RandomModel| format!("            {}({})\n", model.name, model.parameters.join(", "));
-    let calls: String = models.iter().map(call).collect();
+    let wholes: Vec<(&RandomModel, RandomModel)> =
+        models.iter().filter_map(|model| Some((model, in_one_stage(model)?))).collect();
+    let all = || models.iter().chain(wholes.iter().map(|(_, whole)| whole));
+    let structs: String = all().map(|model| format!("\n{}", model.source)).collect();
+    let fields = |model: &RandomModel| model.parameters.join(", ");
+    let calls: String = all().map(|model| format!("            {}({})\n", model.name, fields(model))).collect();
+    let pair =
+        |(two, one): &(&RandomModel, RandomModel)| format!("            {} {}({})\n", two.name, one.name, fields(two));
+    let pairs: String = wholes.iter().map(pair).collect();
     format!(
-        "// Generated from tests/random: random models, and a macro that names them all.\n\n\
+        "// Generated from tests/random: random models, and macros that name them all.\n\n\
          use holonomy::ConstrainedSystem;\n{structs}\n\
          macro_rules! every_random_model {{\n    ($then:ident) => {{\n        $then! {{\n{calls}        }}\n    }};\n}}\n\
-         pub(crate) use every_random_model;\n"
+         pub(crate) use every_random_model;\n\n\
+         macro_rules! every_random_pair {{\n    ($then:ident) => {{\n        $then! {{\n{pairs}        }}\n    }};\n}}\n\
+         pub(crate) use every_random_pair;\n"
     )
 }

@@ -31,6 +31,7 @@ macro_rules! every_model {
                 Flyball(g, k, cd, l0, m_rod, l_rod, w_rod, off, m_ball, m_slider, b_slider)
                 TriplePendulum(m, l, g);
             "tests/models/kinds.rs" kinds:
+                TripleRod(m, g, l)
                 ConstantSpeed(m, g, c)
                 SteadySlope(m, g, a)
                 AppellHamel(m1, m2, g, c)
