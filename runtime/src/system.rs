@@ -178,7 +178,7 @@ pub trait ConstrainedSystem: Sized + Clone {
         v: &Self::Velocities<T>,
     ) -> Self::VelocityRows<T>;
 
-    /// ½ vᵀ M v.
+    /// The kinetic energy T: as the model gives it, else ½ vᵀ M v.
     fn kinetic_energy<T: Scalar>(p: &Self::Values<T>, t: T, x: &Self::Coordinates<T>, v: &Self::Velocities<T>) -> T;
 
     /// The potential energy, where the model declares one.

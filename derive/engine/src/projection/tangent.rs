@@ -3,12 +3,12 @@
 //! The rows that bind the carriers are eliminated among them, w = D2ᵀ u + w_p with a unit block in D2, or the user's
 //! complement is taken. With a unit block the bias is [-C_d⁻¹ c0*; 0], without any derivative of D.
 
-use super::Simplifier;
 use super::carriers::{Carriers, carried};
-use super::complement::given;
+use super::complement;
 use super::constraints::DifferentiatedRow;
 use super::elimination::{Choice, Elimination, Stuck, eliminate};
 use super::messages;
+use super::{Simplifier, given};
 use crate::model::{IndependentSpeed, InitialSystem};
 use crate::symbolic::{Expr, Graph, Matrix, Symbol};
 use crate::syntax::Diagnostics;
@@ -47,12 +47,15 @@ pub fn tangent(
     carriers: &Carriers,
     errors: &mut Diagnostics,
 ) -> Option<Tangent> {
+    if system.velocities.is_some() {
+        return given::velocities(system, simplifier, rows, kept, carriers, errors);
+    }
     let (carried, overlapping) = carried(system, simplifier, rows, kept, carriers, errors);
     if !errors.is_empty() {
         return None;
     }
     if system.complement.is_some() {
-        let given = given(system, simplifier, rows, kept, &carried, carriers, errors);
+        let given = complement::given(system, simplifier, rows, kept, &carried, carriers, errors);
         return given.map(|tangent| Tangent { overlapping, ..tangent });
     }
     let independent = chosen(system, carriers, carried.len(), errors)?;
