@@ -48,13 +48,16 @@ use proc_macro::TokenStream;
 /// | `speeds(v1, v2)` | the speeds v; without it v = ẋ, each called `dot_x` |
 /// | `kinematics(v1 = .., ..)` or `kinematics(dot(x) = .., ..)` | v = B ẋ + b0 (2.2) or ẋ = A v + a0 (2.1); the other direction is derived, or checked where both are given |
 /// | `inertia(diag(..))`, `inertia(matrix([a, b], [_, c]))` | M (2.3); `_` stands for the entry across the diagonal |
-/// | `forces(..)` | h* (2.3): all of it, gyroscopic terms included, one entry a speed |
+/// | `forces(..)` | h* (2.3): all of it, gyroscopic terms included, one entry a speed. Beside `kinetic_energy`: the further generalised forces, conjugate to v; may be left out there |
+/// | `kinetic_energy(T)` | T(v, x, t), quadratic in v (rates `dot(x)` may stand in it): M is ∂²T/∂v² and h* holds the inertia terms, those of Boltzmann and Hamel included, and −Aᵀ ∂V/∂x of a `potential_energy`; an `inertia` beside it is checked against it |
 /// | `constraint(name: left == right)` | a row; its kind is read off what it mentions: f(x, t), φ(v, x, t), which need not be linear in v, or with `dot(v)`, `ddot(q)` a row that is linear in accelerations; f is left minus right |
 /// | `constraint(name: left == right, redundant)` | the same, where it may depend on other rows: if it does and says nothing else, it stays in C, and the reactions of all rows are those of least norm |
 /// | `configuration(z = 0, x = ..)` | x = g(q, t) (4.2): the named coordinates as functions of the others; `of(alpha)` introduces further q |
 /// | `independent(v6, dot(phi))` | the independent speeds u, in this order; else the cheapest pivots choose; given several times, the first names the state's speeds and each further one is a chart that is regular elsewhere |
+/// | `configuration(.., speeds(u), dot(alpha) = ..)` or `(.., speeds(u), u = ..)` | quasi-velocities u of the configuration, q̇ = Ã u + ã0 (4.3) or its inverse, as in `kinematics` |
+/// | `velocities(of(u), v1 = .., v2 = ..)` | v = g(u, x, t) (5.8): the named speeds (with a configuration its rates or speeds) as functions of the others and of the further ones in `of(..)`; every row must hold by it, which is decided |
 /// | `complement(u1 = [..], ..)` | D (3.1) by rows, each with the name of its speed; D Cᵀ ≡ 0 is decided |
-/// | `potential_energy(V)` | V(x, t), for `energy` |
+/// | `potential_energy(V)` | V(x, t), for `energy`; its forces are added only beside `kinetic_energy`, else they stand in `forces` |
 /// | `define(mu = ..)` | names for intermediate quantities |
 /// | `inputs(tau)` | inputs, given at every call |
 /// | `size(n = 20)` | names for integers, used by families |
@@ -158,9 +161,11 @@ use proc_macro::TokenStream;
         kinematics,
         inertia,
         forces,
+        kinetic_energy,
         potential_energy,
         constraint,
         configuration,
+        velocities,
         independent,
         complement,
         inputs,
@@ -171,7 +176,6 @@ use proc_macro::TokenStream;
         holonomy,
         unit,
         nominal,
-        kinetic_energy,
         output,
         frame,
         point,

@@ -52,10 +52,10 @@ compile_error!("holonomy needs elementary functions: enable the feature `std` (d
 
 #[cfg(any(feature = "std", feature = "libm"))]
 mod assemble;
-#[cfg(feature = "differential-equations")]
-pub mod differential_equations;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod carriers;
+#[cfg(feature = "differential-equations")]
+pub mod differential_equations;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod drift;
 #[cfg(any(feature = "std", feature = "libm"))]

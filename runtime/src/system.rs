@@ -186,7 +186,7 @@ pub trait ConstrainedSystem: Sized + Clone {
         v: &Self::Velocities<T>,
     ) -> Self::VelocityRows<T>;
 
-    /// ½ vᵀ M v.
+    /// The kinetic energy T: as the model gives it, else ½ vᵀ M v.
     fn kinetic_energy<T: Scalar>(p: &Self::Values<T>, t: T, x: &Self::Coordinates<T>, v: &Self::Velocities<T>) -> T;
 
     /// The potential energy, where the model declares one.
@@ -209,7 +209,8 @@ pub trait ConstrainedSystem: Sized + Clone {
         w: &Self::Carriers<T>,
     ) -> Self::StateCoordinates<T>;
 
-    /// u of a chart (see [`Description::charts`]) from v. Of `s` the coordinates are read.
+    /// u of a chart (see [`Description::charts`]) from v. Of `s` the coordinates are read; where the model gives v = g(u, x, t) (5.8)
+    /// with a nonlinear g also its speeds: then the result is one Gauss-Newton step from these, to be repeated.
     fn chart_speeds<T: Scalar>(
         chart: usize,
         p: &Self::Values<T>,

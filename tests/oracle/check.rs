@@ -113,6 +113,10 @@ impl Compared<'_> {
         for (name, residual) in &self.rows.velocity {
             report.number(&format!("{name} at velocity level"), 0.0, residual.value, UNIT * self.chart * residual.size);
         }
+        for (said, left, right) in system.quasi(t, &q, &qdot, &claim.speed_names, &lift(&claim.speeds)) {
+            let size = UNIT * self.chart * left.size.max(right.size).max(size);
+            report.number(&format!("(4.3) {said}"), left.value, right.value, size);
+        }
         for (name, u) in claim.speed_names.iter().zip(&claim.speeds) {
             let named = |names: &[String]| names.iter().position(|n| n == name || format!("dot_{n}") == *name);
             let value = match (named(&system.model.speeds), named(system.model.state_coordinates())) {

@@ -30,12 +30,14 @@ pub struct Constraint {
 }
 
 /// x = g(q, t) (4.2).
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Configuration {
     /// q: the initial coordinates that are not given by g, then those introduced by `of`.
     pub coordinates: Vec<String>,
     /// g for the initial coordinates that have one; the others are their own.
     pub map: BTreeMap<String, Expr>,
+    /// What is said of its quasi-velocities (4.3): `u = ..` over q and q̇, or `dot(q) = ..` over q and u.
+    pub quasi: Vec<(Expr, Expr)>,
 }
 
 /// A declared model.

@@ -167,12 +167,26 @@ fn constraint(input: ParseStream<'_>) -> Result<Constraint> {
 }
 
 fn configuration(list: Vec<Expr>) -> Result<Configuration> {
-    let (of, map): (Vec<Expr>, Vec<Expr>) = list.into_iter().partition(|e| matches!(e, Expr::Call(_)));
-    let further = of.iter().flat_map(|e| match e {
-        Expr::Call(call) => call.args.iter().filter_map(plain).collect(),
-        _ => Vec::new(),
-    });
-    Ok(Configuration { coordinates: further.collect(), map: assignments(map)?.into_iter().collect() })
+    let names = |call: &ExprCall| call.args.iter().filter_map(plain).collect::<Vec<_>>();
+    let mut configuration = Configuration::default();
+    let mut quasi = Vec::new();
+    let mut given = Vec::new();
+    for e in list {
+        match e {
+            Expr::Call(call) if plain(&call.func).as_deref() == Some("speeds") => quasi.extend(names(&call)),
+            Expr::Call(call) => configuration.coordinates.extend(names(&call)),
+            other => given.push(assignment(other)?),
+        }
+    }
+    for (left, right) in given {
+        match plain(&left) {
+            Some(x) if !quasi.contains(&x) => {
+                configuration.map.insert(x, right);
+            }
+            _ => configuration.quasi.push((left, right)),
+        }
+    }
+    Ok(configuration)
 }
 
 /// An expression from text, for tests of the evaluator itself.

@@ -4,7 +4,9 @@ use super::declaration::{Declaration, Level};
 use super::evaluate::Scope;
 use super::linear::{along, fixed, seeded, solve, unit};
 use super::number::{Dual, Number, Scaled};
+use super::statements::{plain, rate_of};
 use nalgebra::{DMatrix, DVector};
+use syn::Expr;
 
 /// A model with its numbers.
 #[derive(Clone, Debug)]
@@ -147,6 +149,23 @@ impl<'a> System<'a> {
         self.model.coordinates.iter().map(value).collect()
     }
 
+    /// Left and right side of what is said of the quasi-velocities u (4.3), each with the text of its left side.
+    pub fn quasi<N: Number>(&'a self, t: N, q: &[N], qdot: &[N], names: &'a [String], u: &[N]) -> Vec<(String, N, N)> {
+        let Some(configuration) = &self.model.configuration else { return Vec::new() };
+        let lifted: Vec<N> = self.parameters.iter().map(|&p| N::constant(p)).collect();
+        let coordinates = || configuration.coordinates.iter().map(String::as_str);
+        let scope = Scope::new(&self.model.definitions)
+            .with(["t"], &[t])
+            .with(self.model.parameters.iter().map(|(name, _)| name.as_str()), &lifted)
+            .with(coordinates(), q)
+            .with_rates(coordinates(), qdot)
+            .with(names.iter().map(String::as_str), u);
+        // a left side is `u` or `dot(q)`
+        let text = |left: &Expr| rate_of(left).map_or_else(|| plain(left).unwrap_or_default(), |q| format!("dot({q})"));
+        let sides = |(left, right): &(Expr, Expr)| (text(left), scope.value(left), scope.value(right));
+        configuration.quasi.iter().map(sides).collect()
+    }
+
     /// v of a motion of the state's coordinates (4.4).
     pub fn velocities_of<N: Number>(&self, t: N, q: &[N], qdot: &[N]) -> Vec<N> {
         let x = self.coordinates(Dual::moving(t, N::one()), &along(q, qdot));
@@ -220,6 +239,7 @@ impl<'a> System<'a> {
         let columns: Vec<_> = (0..n).map(column).collect();
         let scope = self.moving(t, &x, &v);
         let a = DMatrix::from_fn(n, n, |i, j| columns[j][i].rate);
+        // with both T and M given, M is a check of T
         let (m, h, kinetic) = if self.model.kinetic_energy.is_some() {
             let (m, inertial) = self.lagrange(t, &x, &v, &a);
             (m, self.forces(&scope, inertial), self.kinetic(t, &x, &v))

@@ -30,6 +30,13 @@ macro_rules! every_model {
                 HeavyTop(m, g, j1, j2, j3, l)
                 Flyball(g, k, cd, l0, m_rod, l_rod, w_rod, off, m_ball, m_slider, b_slider)
                 TriplePendulum(m, l, g);
+            "tests/models/energies.rs" energies:
+                SleighByEnergy(m, i, a)
+                RollingDiskByEnergy(m, r, j, g)
+                HeavyBody(j1, j2, j3, m, g, l, d)
+                BeadByEnergy(m, w, g)
+                BeadInFrame(m, w, g)
+                DoublePendulumByEnergy(m1, m2, l1, l2, g);
             "tests/models/kinds.rs" kinds:
                 TripleRod(m, g, l)
                 ConstantSpeed(m, g, c)
@@ -64,6 +71,10 @@ macro_rules! every_model {
                 SlidingDisk(m, r, j, g)
                 RollingDiskInStages(m, r, j, g)
                 RollingDiskSecondStage(m, r, j, g);
+            "tests/models/speeds.rs" speeds:
+                ConstantSpeedByDirection(m, g, c)
+                PendulumByMomentum(m, g, l)
+                Clip(m1, m2, s, pull);
             "examples/rolling_disk/models.rs" example_rolling_disk:
                 RollingDisk(m, r, j, g)
                 FloorDisk(m, r, j, g)

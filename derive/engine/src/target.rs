@@ -15,7 +15,10 @@ pub fn target(declarations: &Declarations, equations: Option<&Equations>) -> Tar
     let parameters = scalars.filter(|field| is_used(&field.ident)).map(|field| field.member.clone()).collect();
     let speeds = declarations.speeds.iter().flat_map(|speeds| &speeds.names);
     let further = declarations.configuration.iter().flat_map(|c| &c.further);
-    let names = declarations.coordinates.iter().chain(speeds).chain(further).chain(&declarations.inputs);
+    let quasi = declarations.configuration.iter().flat_map(|c| &c.speeds);
+    let free = declarations.velocities.iter().flat_map(|v| &v.further);
+    let names = declarations.coordinates.iter().chain(speeds).chain(further).chain(quasi).chain(free);
+    let names = names.chain(&declarations.inputs);
     let mut declared: Vec<Declared> = names.map(|name| entry(&name.ident, &name.docs)).collect();
     declared.extend(declarations.fields.iter().map(|field| entry(&field.ident, &field.docs)));
     let rows = declarations.complement.iter().flat_map(|complement| &complement.rows);
@@ -52,22 +55,28 @@ pub fn known(declarations: &Declarations) -> Known {
         state.extend(text(&configuration.further));
     }
     let state_coordinates = state.len();
+    let carriers = match &declarations.configuration {
+        Some(configuration) if !configuration.speeds.is_empty() => text(&configuration.speeds),
+        Some(_) => state.iter().map(|q| rate(q)).collect(),
+        None => velocities.clone(),
+    };
+    if let Some(given) = &declarations.velocities {
+        let named = |left: &Quantity| match left {
+            Quantity::Name(name) => name.to_string(),
+            Quantity::Rate(name, _) => rate(&name.to_string()),
+        };
+        let kept = carriers.iter().filter(|name| given.map.iter().all(|(left, _)| named(left) != **name));
+        state.extend(kept.cloned().chain(text(&given.further)));
+    }
     match (&declarations.complement, declarations.independent.first()) {
+        _ if declarations.velocities.is_some() => {}
         (Some(complement), _) => state.extend(complement.rows.iter().map(|row| row.name.to_string())),
         (None, Some(independent)) => state.extend(independent.entries.iter().map(|entry| match entry {
             Quantity::Name(name) => name.to_string(),
             Quantity::Rate(name, _) => rate(&name.to_string()),
         })),
-        (None, None) if declarations.configuration.is_some() => {
-            let rates: Vec<String> = state.iter().map(|q| rate(q)).collect();
-            state.extend(rates);
-        }
-        (None, None) => state.extend(velocities.clone()),
+        (None, None) => state.extend(carriers.iter().cloned()),
     }
-    let carriers = match &declarations.configuration {
-        Some(_) => state[..state_coordinates].iter().map(|q| rate(q)).collect(),
-        None => velocities.clone(),
-    };
     let mut seen = std::collections::BTreeSet::new();
     state.retain(|name| seen.insert(name.clone()));
     let scalars = declarations.fields.iter().filter(|field| field.scalar);

@@ -1,6 +1,9 @@
 //! Constraints of every kind in mixtures: what the engine derives against the full equations (2.8), and against
 //! differences of the rows themselves along the motion.
 
+#[path = "kinds/speeds.rs"]
+mod speeds;
+
 use holonomy_engine::projection::{Equations, Level};
 use holonomy_engine::symbolic::{Expr, Matrix, Symbol};
 use quote::quote;

@@ -83,6 +83,9 @@ pub struct Residuals {
     pub velocity: f64,
 }
 
+/// The most Gauss-Newton steps to speeds on which v depends nonlinearly.
+const REPEATS: usize = 20;
+
 /// The state of coordinates and velocities, in the speeds of the first chart; of `s` the coordinates are read.
 pub(super) fn view<M: ConstrainedSystem>(
     model: &Prepared<M>,
@@ -90,7 +93,16 @@ pub(super) fn view<M: ConstrainedSystem>(
     s: &M::State<f64>,
     v: &M::Velocities<f64>,
 ) -> M::State<f64> {
-    with_speeds::<M, f64>(s, entry(&model.chart_speeds(0, t, s, v)))
+    let mut found = with_speeds::<M, f64>(s, entry(&model.chart_speeds(0, t, s, v)));
+    // Where v is linear in the speeds the first is the last.
+    for _ in 0..REPEATS {
+        let next = with_speeds::<M, f64>(&found, entry(&model.chart_speeds(0, t, &found, v)));
+        if next == found {
+            break;
+        }
+        found = next;
+    }
+    found
 }
 
 impl<M: ConstrainedSystem> Trajectory<M> {

@@ -40,6 +40,7 @@ fn list(
         let written = quantity.ident().to_string();
         let found = match (quantity, vocabulary.names.get(&written)) {
             (Quantity::Name(_), Some(Meaning::Speed(i))) => Ok((written, rates.speeds[i])),
+            (Quantity::Name(_), Some(Meaning::Quasi(i))) => Ok((written, vocabulary.graph.var(vocabulary.quasi[i]))),
             (Quantity::Rate(..), Some(Meaning::Coordinate(i))) => Ok((format!("dot_{written}"), rates.rates[i])),
             (Quantity::Rate(..), Some(Meaning::Further(i))) => Ok((format!("dot_{written}"), rates.further[i])),
             (Quantity::Name(_), Some(Meaning::Coordinate(_) | Meaning::Further(_))) => {
@@ -79,7 +80,10 @@ impl Rates {
             return Rates { speeds, rates, further: Vec::new() };
         };
         // ẋ = ∂g/∂q q̇ + ∂g/∂t, and v = B(g) ẋ + b0(g).
-        let velocities = graph.vars(&configuration.rates);
+        let quasi = graph.vars(&configuration.speeds);
+        let moved = configuration.kinematics.a.mul_vec(graph, &quasi);
+        let biased = moved.into_iter().zip(&configuration.kinematics.a0);
+        let velocities: Vec<Expr> = biased.map(|(rate, bias)| graph.add(rate, *bias)).collect();
         let mut tangent: Vec<(Symbol, Expr)> =
             configuration.coordinates.iter().copied().zip(velocities.clone()).collect();
         tangent.push((vocabulary.time, graph.one()));

@@ -1,11 +1,12 @@
-//! x = g(q, t) (4.2).
+//! x = g(q, t) (4.2), and the speeds in which q̇ is written (4.3).
 
 use super::context::Context;
+use super::kinematics::{self, Subject};
 use super::lower::Vocabulary;
 use super::names::Meaning;
-use super::system::Configuration;
-use crate::symbolic::{Expr, Kind, Symbol};
-use crate::syntax::{Diagnostics, Term, did_you_mean, messages, nearest};
+use super::system::{Configuration, Kinematics};
+use crate::symbolic::{Expr, Kind, Matrix, Symbol};
+use crate::syntax::{Configuration as Written, Diagnostics, Term, did_you_mean, messages, nearest};
 
 /// The map and its coordinates; `None` without the statement, and where something was reported.
 pub(super) fn build(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnostics) -> Option<Configuration> {
@@ -76,8 +77,79 @@ pub(super) fn build(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnosti
         }
     }
     let rate_names: Vec<String> = coordinates.iter().map(|q| format!("dot_{}", graph.name(*q))).collect();
-    let rates = rate_names.iter().map(|name| graph.symbol(name, Kind::Speed)).collect();
+    let rates: Vec<Symbol> = rate_names.iter().map(|name| graph.symbol(name, Kind::Speed)).collect();
     let values = given.iter().zip(&vocabulary.coordinates);
-    let map = values.map(|(value, x)| value.unwrap_or(graph.var(*x))).collect();
-    sound.then_some(Configuration { coordinates, rates, map, span: written.span })
+    let map: Vec<Expr> = values.map(|(value, x)| value.unwrap_or(graph.var(*x))).collect();
+    vocabulary.further_rates = rates[rates.len() - vocabulary.further.len()..].to_vec();
+    let n = rates.len();
+    if written.speeds.is_empty() {
+        if let Some((left, _)) = written.kinematics.first() {
+            diagnostics.report(left.place(), messages::configuration_kinematics_without_speeds());
+            sound = false;
+        }
+        let (unit, zero) = (Matrix::identity(graph, n), vec![graph.zero(); n]);
+        let kinematics = Kinematics { a: unit.clone(), a0: zero.clone(), b: unit, b0: zero, pivots: Vec::new() };
+        let speeds = rates.clone();
+        return sound.then_some(Configuration { coordinates, rates, speeds, kinematics, map, span: written.span });
+    }
+    let kinematics = quasi_velocities(written, &coordinates, &rates, &map, vocabulary, diagnostics)?;
+    let speeds = vocabulary.quasi.clone();
+    sound.then_some(Configuration { coordinates, rates, speeds, kinematics, map, span: written.span })
+}
+
+/// q̇ = Ã u + ã0 (4.3), in either direction.
+fn quasi_velocities(
+    written: &Written,
+    coordinates: &[Symbol],
+    rates: &[Symbol],
+    map: &[Expr],
+    vocabulary: &mut Vocabulary<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Kinematics> {
+    let fits = written.speeds.len() == rates.len();
+    if !fits {
+        let message = messages::configuration_number_of_speeds(written.speeds.len(), rates.len());
+        diagnostics.report(written.span, message);
+    }
+    if written.kinematics.is_empty() {
+        let names: Vec<String> = written.speeds.iter().map(|speed| format!("`{}`", speed.ident)).collect();
+        let message = messages::configuration_speeds_without_kinematics(names.join(", "));
+        diagnostics.report(written.span, message);
+        return None;
+    }
+    let meaning = |q: &Symbol| {
+        let initial = vocabulary.coordinates.iter().position(|x| x == q).map(Meaning::Coordinate);
+        initial.or(vocabulary.further.iter().position(|x| x == q).map(Meaning::Further))
+    };
+    let of_rates: Vec<Meaning> = coordinates.iter().filter_map(meaning).collect();
+    let of_speeds = (0..written.speeds.len()).map(Meaning::Quasi).collect();
+    let rates_as_they_are: Vec<Expr> = vocabulary.graph.vars(rates);
+    let subject = Subject {
+        entries: &written.kinematics,
+        span: written.span,
+        speeds: vocabulary.quasi.clone(),
+        rates: rates.to_vec(),
+        meanings: (of_speeds, of_rates),
+        contexts: (Context::QUASI_SPEEDS, Context::QUASI_RATES),
+        adapt: in_generalised(vocabulary, coordinates, &rates_as_they_are, map),
+    };
+    kinematics::directions(&subject, fits, vocabulary, diagnostics)
+}
+
+/// x ↦ g(q, t), `dot(x)` ↦ ∂g/∂q q̇ + ∂g/∂t and `dot(q)` ↦ q̇, with q̇ as given.
+pub(super) fn in_generalised(
+    vocabulary: &mut Vocabulary<'_>,
+    coordinates: &[Symbol],
+    rates: &[Expr],
+    map: &[Expr],
+) -> Vec<(Symbol, Expr)> {
+    let graph = &mut vocabulary.graph;
+    let mut motion: Vec<(Symbol, Expr)> = coordinates.iter().copied().zip(rates.iter().copied()).collect();
+    motion.push((vocabulary.time, graph.one()));
+    let moved = graph.along(map, &motion);
+    let mut adapt: Vec<(Symbol, Expr)> = vocabulary.coordinates.iter().copied().zip(map.iter().copied()).collect();
+    adapt.extend(vocabulary.rates.iter().copied().zip(moved));
+    let further = &rates[rates.len() - vocabulary.further_rates.len()..];
+    adapt.extend(vocabulary.further_rates.iter().copied().zip(further.iter().copied()));
+    adapt
 }

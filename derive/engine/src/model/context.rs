@@ -16,6 +16,8 @@ impl Context {
     pub const SPEEDS: Context = Context { allowed: PLACE.and(Mentions::RATES), rule: messages::RULE_SPEEDS };
     pub const RATES: Context = Context { allowed: PLACE.and(Mentions::SPEEDS), rule: messages::RULE_RATES };
     pub const INERTIA: Context = Context { allowed: PLACE, rule: messages::RULE_INERTIA };
+    pub const KINETIC: Context =
+        Context { allowed: PLACE.and(Mentions::SPEEDS).and(Mentions::RATES), rule: messages::RULE_KINETIC };
     pub const POTENTIAL: Context = Context { allowed: PLACE, rule: messages::RULE_POTENTIAL };
     pub const FORCES: Context = Context {
         allowed: PLACE.and(Mentions::SPEEDS).and(Mentions::RATES).and(Mentions::INPUTS),
@@ -27,6 +29,25 @@ impl Context {
     };
     pub const CONFIGURATION: Context =
         Context { allowed: PLACE.and(Mentions::FURTHER), rule: messages::RULE_CONFIGURATION };
+    pub const QUASI_SPEEDS: Context = Context {
+        allowed: PLACE.and(Mentions::FURTHER).and(Mentions::RATES).and(Mentions::FURTHER_RATES),
+        rule: messages::RULE_QUASI_SPEEDS,
+    };
+    pub const QUASI_RATES: Context =
+        Context { allowed: PLACE.and(Mentions::FURTHER).and(Mentions::QUASI), rule: messages::RULE_QUASI_RATES };
+    pub const VELOCITIES: Context = Context {
+        allowed: PLACE.and(Mentions::SPEEDS).and(Mentions::RATES).and(Mentions::FREE),
+        rule: messages::RULE_VELOCITIES,
+    };
+    pub const VELOCITIES_OF_RATES: Context = Context {
+        allowed: PLACE
+            .and(Mentions::FURTHER)
+            .and(Mentions::RATES)
+            .and(Mentions::FURTHER_RATES)
+            .and(Mentions::QUASI)
+            .and(Mentions::FREE),
+        rule: messages::RULE_VELOCITIES,
+    };
     pub const COMPLEMENT: Context = Context { allowed: PLACE, rule: messages::RULE_COMPLEMENT };
     pub const COMPLEMENT_OF_RATES: Context =
         Context { allowed: PLACE.and(Mentions::FURTHER), rule: messages::RULE_COMPLEMENT };

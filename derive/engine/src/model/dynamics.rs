@@ -1,11 +1,12 @@
-//! M and h* of (2.3), and the potential energy.
+//! M and h* of (2.3), M from the kinetic energy too.
 
 use proc_macro2::Span;
 
 use super::context::Context;
+use super::linear;
 use super::lower::Vocabulary;
-use crate::symbolic::{Expr, Matrix};
-use crate::syntax::{Diagnostics, Inertia, InertiaEntry, InertiaForm, List, messages};
+use crate::symbolic::{Expr, Matrix, Symbol};
+use crate::syntax::{Diagnostics, Expression, Inertia, InertiaEntry, InertiaForm, List, messages};
 
 /// M; `None` where something was reported.
 pub(super) fn inertia(
@@ -95,6 +96,58 @@ fn symmetric(entries: &[Vec<Entry>], vocabulary: &Vocabulary<'_>, diagnostics: &
         }
     }
     sound.then_some(matrix)
+}
+
+/// M = ∂²T/∂v²; `None` where that is not free of v.
+pub(super) fn second_derivative(
+    kinetic: Expr,
+    written: &Expression,
+    vocabulary: &mut Vocabulary<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Matrix> {
+    let speeds = vocabulary.speeds.clone();
+    let graph = &mut vocabulary.graph;
+    let momenta = graph.jacobian(&[kinetic], &speeds);
+    match linear::split(graph, momenta.row(0), &speeds) {
+        Ok(split) => {
+            let n = speeds.len();
+            let zero = graph.zero();
+            let entry = |i: usize, j: usize| split.coefficients.get(i.min(j), i.max(j));
+            let matrix = Matrix::from_fn(n, n, |i, j| if graph.vanishes(entry(i, j)) { zero } else { entry(i, j) });
+            let moves = matrix.entries().iter().any(|entry| *entry != zero);
+            if !moves {
+                diagnostics.report(written.place(), messages::kinetic_without_speed());
+            }
+            moves.then_some(matrix)
+        }
+        Err(refused) => {
+            // One says it all: the others are its relatives by symmetry.
+            if let Some(nonlinear) = refused.first() {
+                // Speeds without names are written as rates.
+                let name = |symbol: Symbol| match graph.name(symbol).strip_prefix("dot_") {
+                    Some(of) if vocabulary.declarations.speeds.is_none() => format!("dot({of})"),
+                    _ => graph.name(symbol).to_owned(),
+                };
+                let (row, column) = (name(speeds[nonlinear.row]), name(nonlinear.variable));
+                let derivative = graph.display(nonlinear.derivative);
+                diagnostics.report(written.place(), messages::kinetic_not_quadratic(row, column, derivative));
+            }
+            None
+        }
+    }
+}
+
+/// Reports every entry on which the inertia as written and that of the kinetic energy differ.
+pub(super) fn compare(given: &Matrix, found: &Matrix, vocabulary: &Vocabulary<'_>, diagnostics: &mut Diagnostics) {
+    let Some(statement) = &vocabulary.declarations.inertia else { return };
+    let graph = &vocabulary.graph;
+    for (i, j) in (0..given.rows()).flat_map(|i| (i..given.rows()).map(move |j| (i, j))) {
+        let (given, found) = (given.get(i, j), found.get(i, j));
+        if !graph.identical(given, found) {
+            let (given, found) = (graph.display(given), graph.display(found));
+            diagnostics.report(statement.span, messages::inertia_differs(i + 1, j + 1, given, found));
+        }
+    }
 }
 
 /// h*, with rates still as written.

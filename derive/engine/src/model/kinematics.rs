@@ -37,38 +37,71 @@ pub(super) fn build(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnosti
             if !fits {
                 diagnostics.report(speeds.span, messages::number_of_speeds(speeds.names.len(), n));
             }
-            let (of_speeds, of_rates) = sort(vocabulary, diagnostics)?;
-            let partly = |side: &Side<'_>| side.iter().any(Option::is_some) && side.iter().any(Option::is_none);
-            if partly(&of_speeds) && partly(&of_rates) {
-                diagnostics.report(kinematics.span, messages::kinematics_mixed());
-                return None;
-            }
-            let of_speeds = complete(vocabulary, of_speeds, kinematics.span, Direction::Speeds, diagnostics);
-            let of_rates = complete(vocabulary, of_rates, kinematics.span, Direction::Rates, diagnostics);
-            let of_speeds = of_speeds.map(|side| one_direction(vocabulary, &side, Direction::Speeds, diagnostics));
-            let of_rates = of_rates.map(|side| one_direction(vocabulary, &side, Direction::Rates, diagnostics));
-            if !fits {
-                return None;
-            }
-            match (of_speeds, of_rates) {
-                (Some(of_speeds), Some(of_rates)) => {
-                    checked(vocabulary, of_speeds?, of_rates?, kinematics.span, diagnostics)
-                }
-                (Some(of_speeds), None) => {
-                    let Linear { coefficients: b, constant: b0 } = of_speeds?;
-                    let (a, a0, pivots) =
-                        inverted(vocabulary, &b, &b0, Direction::Speeds, kinematics.span, diagnostics)?;
-                    Some(Kinematics { a, a0, b, b0, pivots })
-                }
-                (None, Some(of_rates)) => {
-                    let Linear { coefficients: a, constant: a0 } = of_rates?;
-                    let (b, b0, pivots) =
-                        inverted(vocabulary, &a, &a0, Direction::Rates, kinematics.span, diagnostics)?;
-                    Some(Kinematics { a, a0, b, b0, pivots })
-                }
-                (None, None) => None,
-            }
+            let subject = Subject {
+                entries: &kinematics.entries,
+                span: kinematics.span,
+                speeds: vocabulary.speeds.clone(),
+                rates: vocabulary.rates.clone(),
+                meanings: (
+                    (0..speeds.names.len()).map(Meaning::Speed).collect(),
+                    (0..n).map(Meaning::Coordinate).collect(),
+                ),
+                contexts: (Context::SPEEDS, Context::RATES),
+                adapt: Vec::new(),
+            };
+            directions(&subject, fits, vocabulary, diagnostics)
         }
+    }
+}
+
+/// The kinematics of some speeds: whose, and as what they are written.
+pub(super) struct Subject<'a> {
+    pub entries: &'a [(Quantity, Expression)],
+    pub span: Span,
+    pub speeds: Vec<Symbol>,
+    pub rates: Vec<Symbol>,
+    /// What the left sides of each direction are, in the order of the symbols: speeds, rates.
+    pub meanings: (Vec<Meaning>, Vec<Meaning>),
+    /// What may stand on the right for a speed, and for a rate.
+    pub contexts: (Context, Context),
+    /// What replaces symbols on the right.
+    pub adapt: Vec<(Symbol, Expr)>,
+}
+
+/// Both directions from what is written; `fits` tells whether there are as many speeds as rates.
+pub(super) fn directions(
+    subject: &Subject<'_>,
+    fits: bool,
+    vocabulary: &mut Vocabulary<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Kinematics> {
+    let span = subject.span;
+    let (of_speeds, of_rates) = sort(subject, vocabulary, diagnostics)?;
+    let partly = |side: &Side<'_>| side.iter().any(Option::is_some) && side.iter().any(Option::is_none);
+    if partly(&of_speeds) && partly(&of_rates) {
+        diagnostics.report(span, messages::kinematics_mixed());
+        return None;
+    }
+    let of_speeds = complete(subject, vocabulary, of_speeds, Direction::Speeds, diagnostics);
+    let of_rates = complete(subject, vocabulary, of_rates, Direction::Rates, diagnostics);
+    let of_speeds = of_speeds.map(|side| one_direction(subject, vocabulary, &side, Direction::Speeds, diagnostics));
+    let of_rates = of_rates.map(|side| one_direction(subject, vocabulary, &side, Direction::Rates, diagnostics));
+    if !fits {
+        return None;
+    }
+    match (of_speeds, of_rates) {
+        (Some(of_speeds), Some(of_rates)) => checked(subject, vocabulary, of_speeds?, of_rates?, diagnostics),
+        (Some(of_speeds), None) => {
+            let Linear { coefficients: b, constant: b0 } = of_speeds?;
+            let (a, a0, pivots) = inverted(subject, vocabulary, &b, &b0, Direction::Speeds, diagnostics)?;
+            Some(Kinematics { a, a0, b, b0, pivots })
+        }
+        (None, Some(of_rates)) => {
+            let Linear { coefficients: a, constant: a0 } = of_rates?;
+            let (b, b0, pivots) = inverted(subject, vocabulary, &a, &a0, Direction::Rates, diagnostics)?;
+            Some(Kinematics { a, a0, b, b0, pivots })
+        }
+        (None, None) => None,
     }
 }
 
@@ -82,17 +115,24 @@ enum Direction {
 }
 
 /// Sorts the entries by their left sides; each may stand once.
-fn sort<'a>(vocabulary: &Vocabulary<'a>, diagnostics: &mut Diagnostics) -> Option<(Side<'a>, Side<'a>)> {
-    let kinematics = vocabulary.declarations.kinematics.as_ref()?;
-    let mut of_speeds: Side<'a> = vec![None; vocabulary.speeds.len()];
-    let mut of_rates: Side<'a> = vec![None; vocabulary.coordinates.len()];
+fn sort<'a>(
+    subject: &Subject<'a>,
+    vocabulary: &Vocabulary<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<(Side<'a>, Side<'a>)> {
+    let (speeds, rates) = &subject.meanings;
+    let mut of_speeds: Side<'a> = vec![None; speeds.len()];
+    let mut of_rates: Side<'a> = vec![None; rates.len()];
     let mut sound = true;
-    for (left, right) in &kinematics.entries {
+    for (left, right) in subject.entries {
         let name = left.ident().to_string();
-        let slot = match (left, vocabulary.names.get(&name)) {
-            (Quantity::Name(_), Some(Meaning::Speed(i))) => of_speeds.get_mut(i),
-            (Quantity::Rate(..), Some(Meaning::Coordinate(i))) => of_rates.get_mut(i),
-            _ => None,
+        let place = |list: &[Meaning]| {
+            let meaning = vocabulary.names.get(&name)?;
+            list.iter().position(|other| *other == meaning)
+        };
+        let slot = match left {
+            Quantity::Name(_) => place(speeds).and_then(|i| of_speeds.get_mut(i)),
+            Quantity::Rate(..) => place(rates).and_then(|i| of_rates.get_mut(i)),
         };
         let message = match slot {
             Some(slot) if slot.is_none() => {
@@ -113,6 +153,7 @@ fn wrong_left_side(vocabulary: &Vocabulary<'_>, left: &Quantity) -> String {
     let declarations = vocabulary.declarations;
     match (vocabulary.names.get(&name), left) {
         (Some(Meaning::Coordinate(_)), Quantity::Name(_)) => messages::name_of_coordinate(name),
+        (Some(Meaning::Coordinate(_)), Quantity::Rate(..)) => messages::configuration_rate_of_given(name),
         (Some(Meaning::Speed(_)), Quantity::Rate(..)) => messages::acceleration("dot", name),
         (Some(meaning), _) => messages::kinematics_left_side(name, meaning.describe()),
         (None, _) => {
@@ -129,9 +170,9 @@ fn wrong_left_side(vocabulary: &Vocabulary<'_>, left: &Quantity) -> String {
 
 /// One direction, if any of it is given; then all of it must be.
 fn complete<'a>(
+    subject: &Subject<'_>,
     vocabulary: &Vocabulary<'_>,
     side: Side<'a>,
-    span: Span,
     direction: Direction,
     diagnostics: &mut Diagnostics,
 ) -> Option<Vec<&'a Expression>> {
@@ -139,27 +180,28 @@ fn complete<'a>(
         return None;
     }
     let symbols = match direction {
-        Direction::Speeds => &vocabulary.speeds,
-        Direction::Rates => &vocabulary.rates,
+        Direction::Speeds => &subject.speeds,
+        Direction::Rates => &subject.rates,
     };
     let missing = side.iter().zip(symbols).filter(|(given, _)| given.is_none());
     let missing: Vec<String> = missing.map(|(_, symbol)| format!("`{}`", vocabulary.graph.name(*symbol))).collect();
     if !missing.is_empty() {
-        diagnostics.report(span, messages::kinematics_missing(missing.join(", ")));
+        diagnostics.report(subject.span, messages::kinematics_missing(missing.join(", ")));
     }
     side.into_iter().collect()
 }
 
 /// Lowers one direction and splits it into its matrix and the rest.
 fn one_direction(
+    subject: &Subject<'_>,
     vocabulary: &mut Vocabulary<'_>,
     side: &[&Expression],
     direction: Direction,
     diagnostics: &mut Diagnostics,
 ) -> Option<Linear> {
     let (context, what) = match direction {
-        Direction::Speeds => (Context::SPEEDS, "rates"),
-        Direction::Rates => (Context::RATES, "speeds"),
+        Direction::Speeds => (subject.contexts.0, "rates"),
+        Direction::Rates => (subject.contexts.1, "speeds"),
     };
     let lowered: Vec<Option<Expr>> = side
         .iter()
@@ -167,10 +209,11 @@ fn one_direction(
         .collect();
     let rows: Vec<Expr> = lowered.into_iter().collect::<Option<_>>()?;
     let variables = match direction {
-        Direction::Speeds => vocabulary.rates.clone(),
-        Direction::Rates => vocabulary.speeds.clone(),
+        Direction::Speeds => subject.rates.clone(),
+        Direction::Rates => subject.speeds.clone(),
     };
     let graph = &mut vocabulary.graph;
+    let rows = graph.substitute(&rows, &subject.adapt);
     linear::split(graph, &rows, &variables)
         .map_err(|refused| {
             for nonlinear in refused {
@@ -185,11 +228,11 @@ fn one_direction(
 
 /// The other direction of `left = matrix·right + bias`.
 fn inverted(
+    subject: &Subject<'_>,
     vocabulary: &mut Vocabulary<'_>,
     matrix: &Matrix,
     bias: &[Expr],
     direction: Direction,
-    span: Span,
     diagnostics: &mut Diagnostics,
 ) -> Option<(Matrix, Vec<Expr>, Vec<Expr>)> {
     let graph = &mut vocabulary.graph;
@@ -201,11 +244,11 @@ fn inverted(
         }
         Err(Dependence(coefficients)) => {
             let (left, right) = match direction {
-                Direction::Speeds => (&vocabulary.speeds, "rates"),
-                Direction::Rates => (&vocabulary.rates, "speeds"),
+                Direction::Speeds => (&subject.speeds, "rates"),
+                Direction::Rates => (&subject.rates, "speeds"),
             };
             let combination = combination(graph, &coefficients, left);
-            diagnostics.report(span, messages::kinematics_not_invertible(combination, right));
+            diagnostics.report(subject.span, messages::kinematics_not_invertible(combination, right));
             None
         }
     }
@@ -220,17 +263,17 @@ fn combination(graph: &mut Graph, coefficients: &[Expr], left: &[Symbol]) -> Str
 
 /// Both directions as given, if each undoes the other.
 fn checked(
+    subject: &Subject<'_>,
     vocabulary: &mut Vocabulary<'_>,
     of_speeds: Linear,
     of_rates: Linear,
-    span: Span,
     diagnostics: &mut Diagnostics,
 ) -> Option<Kinematics> {
     let Linear { coefficients: b, constant: b0 } = of_speeds;
     let Linear { coefficients: a, constant: a0 } = of_rates;
     // The chart's singularities are those of B, whoever writes down its inverse.
-    let speeds = vocabulary.speeds.clone();
-    let (_, _, pivots) = inverted(vocabulary, &b, &b0, Direction::Speeds, span, diagnostics)?;
+    let (speeds, span) = (&subject.speeds, subject.span);
+    let (_, _, pivots) = inverted(subject, vocabulary, &b, &b0, Direction::Speeds, diagnostics)?;
     let graph = &mut vocabulary.graph;
     let product = b.mul(graph, &a);
     let shift = b.mul_vec(graph, &a0);

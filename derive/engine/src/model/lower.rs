@@ -34,6 +34,12 @@ pub(super) struct Vocabulary<'a> {
     pub accelerations: Vec<Symbol>,
     /// The second rates of the initial coordinates; the rates of the speeds themselves where these have no names.
     pub second_rates: Vec<Symbol>,
+    /// The rates of `further`; empty before the configuration is built.
+    pub further_rates: Vec<Symbol>,
+    /// The quasi-velocities of the configuration.
+    pub quasi: Vec<Symbol>,
+    /// The independent speeds of `velocities(of(..))`.
+    pub free: Vec<Symbol>,
     pub inputs: Vec<Symbol>,
     /// The functions of the user's.
     pub functions: Vec<Function>,
@@ -71,6 +77,8 @@ impl<'a> Vocabulary<'a> {
             }
         };
         let inputs = symbols(of(&declarations.inputs), Kind::Input);
+        let quasi = declarations.configuration.as_ref().map_or(Vec::new(), |c| symbols(of(&c.speeds), Kind::Speed));
+        let free = declarations.velocities.as_ref().map_or(Vec::new(), |v| symbols(of(&v.further), Kind::Speed));
         let functions = declarations.functions.iter().map(|function| {
             let names: Vec<String> = function.orders.iter().map(last_name).collect();
             graph.give(&names)
@@ -89,6 +97,9 @@ impl<'a> Vocabulary<'a> {
             rates,
             accelerations,
             second_rates,
+            further_rates: Vec::new(),
+            quasi,
+            free,
             inputs,
             functions,
             defines: vec![None; declarations.defines.len()],
@@ -227,6 +238,8 @@ impl<'a> Vocabulary<'a> {
             Meaning::Coordinate(i) => (self.coordinates[i], Mentions::COORDINATES),
             Meaning::Further(i) => (self.further[i], Mentions::FURTHER),
             Meaning::Speed(i) => (self.speeds[i], Mentions::SPEEDS),
+            Meaning::Quasi(i) => (self.quasi[i], Mentions::QUASI),
+            Meaning::Free(i) => (self.free[i], Mentions::FREE),
             Meaning::Input(i) => (self.inputs[i], Mentions::INPUTS),
             Meaning::Time => (self.time, Mentions::TIME),
             Meaning::Pi => (self.graph.pi_symbol(), Mentions::NONE),
@@ -280,6 +293,14 @@ impl<'a> Vocabulary<'a> {
                             "dot" => (self.rates[i], Mentions::RATES),
                             _ => (self.second_rates[i], Mentions::ACCELERATIONS),
                         };
+                        return self.rate(function, name, found, span, context, diagnostics);
+                    }
+                    Some(Meaning::Further(i))
+                        if function == "dot"
+                            && context.allowed.intersects(Mentions::FURTHER_RATES)
+                            && i < self.further_rates.len() =>
+                    {
+                        let found = (self.further_rates[i], Mentions::FURTHER_RATES);
                         return self.rate(function, name, found, span, context, diagnostics);
                     }
                     Some(Meaning::Further(_)) => {

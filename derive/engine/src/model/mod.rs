@@ -10,9 +10,10 @@
 //! | `kinematics` | ẋ = A v + a0 (2.1), v = B ẋ + b0 (2.2): one given, the other derived |
 //! | `linear` | splitting what is linear, decided |
 //! | `inverse`, `blocks` | inverses with few divisors |
-//! | `dynamics` | M, h* (2.3), V |
+//! | `dynamics` | M, h* (2.3), T, V |
 //! | `rows` | constraints, sorted by what they bind |
 //! | `configuration` | x = g(q, t) (4.2) |
+//! | `velocities` | v = g(u, x, t) (5.8) |
 //! | `choice` | independent speeds, or D by rows (3.1) |
 //! | `numbers` | values for judging |
 //! | `system` | the result |
@@ -34,9 +35,11 @@ mod rows;
 mod system;
 #[cfg(test)]
 mod tests;
+mod velocities;
 
 pub use system::{
     ComplementRow, Configuration, Independent, IndependentSpeed, InitialSystem, Kinematics, Places, Row, RowKind,
+    Velocities,
 };
 
 use crate::symbolic::{Expr, Symbol};
@@ -66,8 +69,8 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
     let names = Names::of(declarations, diagnostics);
     for (missing, statement) in [
         (declarations.coordinates.is_empty(), "coordinates"),
-        (declarations.inertia.is_none(), "inertia"),
-        (declarations.forces.is_none(), "forces"),
+        (declarations.inertia.is_none() && declarations.kinetic_energy.is_none(), "inertia"),
+        (declarations.forces.is_none() && declarations.kinetic_energy.is_none(), "forces"),
     ] {
         if missing {
             diagnostics.report(&declarations.ident, messages::statement_missing(statement));
@@ -83,6 +86,10 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
     let kinematics = kinematics::build(vocabulary, diagnostics);
     let inertia = declarations.inertia.as_ref().and_then(|given| dynamics::inertia(given, vocabulary, diagnostics));
     let forces = declarations.forces.as_ref().and_then(|given| dynamics::forces(given, vocabulary, diagnostics));
+    let kinetic = declarations
+        .kinetic_energy
+        .as_ref()
+        .and_then(|given| vocabulary.lower(given, Context::KINETIC, diagnostics).map(|lowered| lowered.expr));
     let potential = declarations
         .potential_energy
         .as_ref()
@@ -98,11 +105,29 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
     let kinematics = kinematics?;
     let rates = rates(&kinematics, vocabulary);
     let rows = rows::finish(&written, &rates, vocabulary, diagnostics);
-    let forces = forces.map(|forces| vocabulary.graph.substitute(&forces, &rates));
+    let forces = match (&declarations.forces, &declarations.kinetic_energy) {
+        (None, Some(_)) => Some(vec![vocabulary.graph.zero(); vocabulary.speeds.len()]),
+        _ => forces.map(|forces| vocabulary.graph.substitute(&forces, &rates)),
+    };
+    let kinetic = kinetic.map(|kinetic| vocabulary.graph.substitute(&[kinetic], &rates)[0]);
+    let inertia = match &declarations.kinetic_energy {
+        Some(written) => {
+            let found =
+                kinetic.and_then(|kinetic| dynamics::second_derivative(kinetic, written, vocabulary, diagnostics));
+            if let (Some(found), Some(given)) = (&found, &inertia) {
+                dynamics::compare(given, found, vocabulary, diagnostics);
+            }
+            found
+        }
+        None => inertia,
+    };
     let independent = match failed {
         true => Vec::new(),
         false => choice::independent(&kinematics, configuration.as_ref(), vocabulary, diagnostics),
     };
+
+    let velocities =
+        if failed { None } else { velocities::build(&rates, configuration.as_ref(), vocabulary, diagnostics) };
 
     let used = vocabulary.fields.iter().zip(&vocabulary.used).filter(|(_, used)| **used);
     let parameters = used.map(|(field, _)| *field).collect();
@@ -116,15 +141,20 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
         kinematics,
         inertia: inertia?,
         forces: forces?,
+        kinetic,
         potential,
         rows,
         configuration,
+        velocities,
         independent,
         complement,
         places: Places {
             model,
             kinematics: declarations.kinematics.as_ref().map_or(model, |statement| statement.span),
-            inertia: declarations.inertia.as_ref().map_or(model, |statement| statement.span),
+            inertia: match (&declarations.kinetic_energy, &declarations.inertia) {
+                (Some(energy), _) => energy.place().start,
+                (None, statement) => statement.as_ref().map_or(model, |statement| statement.span),
+            },
             complement: declarations.complement.as_ref().map_or(model, |statement| statement.span),
         },
         start,

@@ -20,6 +20,10 @@ pub(super) enum Meaning {
     /// A generalised coordinate from `configuration(of(..))`.
     Further(usize),
     Speed(usize),
+    /// A quasi-velocity from `configuration(speeds(..))`.
+    Quasi(usize),
+    /// An independent speed from `velocities(of(..))`.
+    Free(usize),
     Input(usize),
     Define(usize),
     /// A function of the user's.
@@ -36,6 +40,8 @@ impl Meaning {
             Meaning::Coordinate(_) => "a coordinate",
             Meaning::Further(_) => "a coordinate of `configuration`",
             Meaning::Speed(_) => "a speed",
+            Meaning::Quasi(_) => "a speed of `configuration`",
+            Meaning::Free(_) => "a speed of `velocities`",
             Meaning::Input(_) => "an input",
             Meaning::Define(_) => "a define",
             Meaning::Function(_) => "a function",
@@ -69,6 +75,12 @@ impl Names {
         }
         for (i, name) in declarations.speeds.iter().flat_map(|s| &s.names).enumerate() {
             enter(&name.ident, Meaning::Speed(i));
+        }
+        for (i, name) in declarations.configuration.iter().flat_map(|c| &c.speeds).enumerate() {
+            enter(&name.ident, Meaning::Quasi(i));
+        }
+        for (i, name) in declarations.velocities.iter().flat_map(|v| &v.further).enumerate() {
+            enter(&name.ident, Meaning::Free(i));
         }
         for (i, name) in declarations.inputs.iter().enumerate() {
             enter(&name.ident, Meaning::Input(i));
@@ -144,6 +156,9 @@ impl Mentions {
     pub const RATES: Self = Mentions(32);
     pub const INPUTS: Self = Mentions(64);
     pub const ACCELERATIONS: Self = Mentions(128);
+    pub const FURTHER_RATES: Self = Mentions(256);
+    pub const QUASI: Self = Mentions(512);
+    pub const FREE: Self = Mentions(1024);
 
     pub const fn and(self, other: Mentions) -> Mentions {
         Mentions(self.0 | other.0)
@@ -163,6 +178,9 @@ impl Mentions {
         [
             (Self::INPUTS, "an input"),
             (Self::ACCELERATIONS, "an acceleration"),
+            (Self::FREE, "a speed of `velocities`"),
+            (Self::QUASI, "a speed of `configuration`"),
+            (Self::FURTHER_RATES, "a rate"),
             (Self::RATES, "a rate"),
             (Self::SPEEDS, "a speed"),
             (Self::FURTHER, "a coordinate of `configuration`"),

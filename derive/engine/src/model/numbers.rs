@@ -15,6 +15,8 @@ pub(super) fn start(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnosti
             Some(Meaning::Coordinate(i)) => Ok(vocabulary.coordinates[i]),
             Some(Meaning::Further(i)) => Ok(vocabulary.further[i]),
             Some(Meaning::Speed(i)) => Ok(vocabulary.speeds[i]),
+            Some(Meaning::Quasi(i)) => Ok(vocabulary.quasi[i]),
+            Some(Meaning::Free(i)) => Ok(vocabulary.free[i]),
             Some(meaning) => Err(messages::start_of(name, meaning.describe())),
             None => Err(vocabulary.names.unknown(&name)),
         };

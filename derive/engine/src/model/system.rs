@@ -26,8 +26,11 @@ pub struct InitialSystem {
     pub kinematics: Kinematics,
     /// M of (2.3), n x n, symmetric.
     pub inertia: Matrix,
-    /// h* of (2.3), n.
+    /// h* of (2.3), n. Where there is a kinetic energy, the generalised forces in it that the model lists: the
+    /// projection adds the inertia terms.
     pub forces: Vec<Expr>,
+    /// T(v, x, t), quadratic in v, where the model gives it; `inertia` is its second derivative then.
+    pub kinetic: Option<Expr>,
     /// V, where the model gives it.
     pub potential: Option<Expr>,
     /// The constraints in order.
@@ -37,6 +40,8 @@ pub struct InitialSystem {
     /// The choices of independent speeds that the model names: the first gives the state's speeds, the others are
     /// further charts.
     pub independent: Vec<Independent>,
+    /// v = g(u, x, t) (5.8), where the model gives it.
+    pub velocities: Option<Velocities>,
     /// D of (3.1) by rows, where the model gives it.
     pub complement: Option<Vec<ComplementRow>>,
     /// Where statements about the whole begin, for errors.
@@ -100,6 +105,10 @@ pub struct Configuration {
     pub coordinates: Vec<Symbol>,
     /// q̇, named `dot_q`.
     pub rates: Vec<Symbol>,
+    /// The carriers of the motion: q̇ itself, or the quasi-velocities that the configuration names.
+    pub speeds: Vec<Symbol>,
+    /// q̇ = Ã u + ã0 (4.3) and its inverse; trivial where the carriers are q̇.
+    pub kinematics: Kinematics,
     /// g, one for each x.
     pub map: Vec<Expr>,
     /// The statement's place.
@@ -111,6 +120,17 @@ pub struct Configuration {
 pub struct Independent {
     /// The speeds in order: u.
     pub speeds: Vec<IndependentSpeed>,
+    /// The statement's place.
+    pub span: Span,
+}
+
+/// v = g(u, x, t) (5.8), or the carriers of a configuration so.
+#[derive(Clone, Debug)]
+pub struct Velocities {
+    /// u: the carriers that are not given by others, then the further ones.
+    pub speeds: Vec<Symbol>,
+    /// The given carriers with their values over u, the state's coordinates and t.
+    pub map: Vec<(Symbol, Expr)>,
     /// The statement's place.
     pub span: Span,
 }

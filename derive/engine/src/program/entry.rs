@@ -182,7 +182,12 @@ pub fn entries(equations: &Equations) -> Vec<Entry> {
             "φ, or ḟ of a position constraint, for every row of C that binds velocities (2.5).",
             array(&e.velocity_residual, prefixed("phi", &e.velocity_row_names())),
         ),
-        one("kinetic_energy", CoordinatesVelocities, "½ vᵀ M v.", kinetic),
+        one(
+            "kinetic_energy",
+            CoordinatesVelocities,
+            "The kinetic energy: as the model gives it, else ½ vᵀ M v.",
+            kinetic,
+        ),
         one("potential_energy", Coordinates, "The potential energy, where the model gives one.", potential),
         one(
             "carried_velocities",

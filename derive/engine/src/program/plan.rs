@@ -224,6 +224,8 @@ fn places(equations: &Equations, arguments: Arguments) -> BTreeMap<Symbol, Leaf>
             add(&e.charts[chart - 1].speeds, Leaf::StateSpeed);
         }
         Arguments::StateVelocities => {
+            // Where v is a nonlinear function of them, the state's own speeds are the guess. A speed that is one of v is v's.
+            add(&e.state_speeds, Leaf::StateSpeed);
             add(&e.state_coordinates, Leaf::StateCoordinate);
             add(&e.speeds, Leaf::Speed);
         }

@@ -61,7 +61,11 @@ pub fn bound(
     let configured = carriers.partial_velocities.is_some();
     let mut found = Vec::new();
     let mut overlapping = false;
-    for (position, i) in kept.iter().enumerate().filter(|(_, i)| !rows[**i].binds_speeds()) {
+    // Rows that given velocities satisfy bind nothing further.
+    let satisfied = |row: &DifferentiatedRow| system.velocities.is_some() && row.velocity.is_some();
+    let open = |i: usize| !rows[i].binds_speeds() && !satisfied(&rows[i]);
+    let open: Vec<(usize, &usize)> = kept.iter().enumerate().filter(|(_, i)| open(**i)).collect();
+    for (position, i) in open {
         let row = &rows[*i];
         let graph = &mut system.graph;
         let (among_carriers, gradient, bias) = in_state(graph, simplifier, row, carriers, tangent);

@@ -1,4 +1,7 @@
 //! The way back: the carriers and the independent speeds from v, for any v that a run arrives with.
+//!
+//! Where v = g(u, x, t) (5.8) is given and not linear in u, there is no closed form: what is emitted is a Gauss-Newton step
+//! from the speeds of the state at hand, u + (D Dᵀ)⁻¹ D (v − g(u, x, t)), which is exact wherever g is linear.
 
 use super::Simplifier;
 use super::carriers::Carriers;
@@ -8,7 +11,8 @@ use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Graph, Matrix, Symbol};
 
 /// The carriers w as functions of v, the state's coordinates and t: v itself, or the rates q̇ of a configuration, of
-/// which those that are initial coordinates are read off A v + a0 and the others follow by least squares.
+/// which those that are initial coordinates are read off A v + a0 and the others follow by least squares; or its
+/// quasi-velocities, which follow from q̇ (4.3).
 pub fn carriers_of_velocities(
     system: &mut InitialSystem,
     simplifier: &mut dyn Simplifier,
@@ -43,11 +47,15 @@ pub fn carriers_of_velocities(
         .collect();
     let found = least_squares(graph, simplifier, &rows, &rest);
     let mut found = found.into_iter();
-    known.into_iter().map(|rate| rate.or_else(|| found.next()).unwrap_or(zero)).collect()
+    let rates: Vec<Expr> = known.into_iter().map(|rate| rate.or_else(|| found.next()).unwrap_or(zero)).collect();
+    let kinematics = system.configuration.as_ref().map(|configuration| configuration.kinematics.clone());
+    let Some(kinematics) = kinematics else { return rates };
+    let moved = kinematics.b.mul_vec(graph, &rates);
+    moved.into_iter().zip(&kinematics.b0).map(|(rate, bias)| graph.add(rate, *bias)).collect()
 }
 
 /// The independent speeds of a chart from the carriers: those of the same name, or the least-squares solution of
-/// w = D2ᵀ u + w_p where the user gave D.
+/// w = D2ᵀ u + w_p where the user gave D, or g.
 pub fn speeds_of_carriers(
     system: &mut InitialSystem,
     simplifier: &mut dyn Simplifier,
@@ -60,13 +68,19 @@ pub fn speeds_of_carriers(
     if let Some(columns) = tangent.speeds.iter().map(own).collect::<Option<Vec<usize>>>() {
         return columns.into_iter().map(|j| w[j]).collect();
     }
-    let zero = graph.zero();
-    let at_rest: Vec<(Symbol, Expr)> = tangent.speeds.iter().map(|u| (*u, zero)).collect();
     let all = graph.vars(&carriers.speeds);
     let all = graph.substitute(&all, &tangent.map);
-    let particular = graph.substitute(&all, &at_rest);
-    let rest: Vec<Expr> = w.iter().zip(particular).map(|(w, p)| graph.sub(*w, p)).collect();
-    least_squares(graph, simplifier, &tangent.complement.transpose(), &rest)
+    let linear = !tangent.complement.entries().iter().any(|e| graph.contains(*e, &tangent.speeds));
+    let zero = graph.zero();
+    let guess: Vec<Expr> = match linear {
+        true => vec![zero; tangent.speeds.len()],
+        false => graph.vars(&tangent.speeds),
+    };
+    let at: Vec<(Symbol, Expr)> = tangent.speeds.iter().copied().zip(guess.iter().copied()).collect();
+    let at_guess = graph.substitute(&all, &at);
+    let rest: Vec<Expr> = w.iter().zip(at_guess).map(|(w, p)| graph.sub(*w, p)).collect();
+    let step = least_squares(graph, simplifier, &tangent.complement.transpose(), &rest);
+    guess.into_iter().zip(step).map(|(u, step)| graph.add(u, step)).collect()
 }
 
 /// The solution of (Rᵀ R) y = Rᵀ r: exact where R y = r has one, regular wherever R has full rank.

@@ -1,7 +1,7 @@
 //! The first stage: the carriers w of the motion, and the rows that still bind them.
 //!
 //! The configuration x = g(q, t), if there is one, gives partial velocities (4.9): its rates are the carriers, and
-//! v = D1ᵀ w + v_1. Without one the carriers are v itself.
+//! v = D1ᵀ w + v_1; where it names quasi-velocities with q̇ = Ã w + ã0 (4.3), these are. Without one the carriers are v itself.
 
 use super::Simplifier;
 use super::constraints::{DifferentiatedRow, motion};
@@ -17,7 +17,7 @@ use crate::syntax::Diagnostics;
 pub struct Carriers {
     /// Coordinates of the state.
     pub coordinates: Vec<Symbol>,
-    /// w: the rates of q, or v.
+    /// w: the rates of q, the configuration's quasi-velocities, or v.
     pub speeds: Vec<Symbol>,
     /// Rates of the coordinates in (w, coordinates, t), and ṫ.
     pub motion: Vec<(Symbol, Expr)>,
@@ -43,7 +43,11 @@ pub fn carriers(system: &mut InitialSystem, simplifier: &mut dyn Simplifier) -> 
         };
     };
     let graph = &mut system.graph;
-    let rates = graph.vars(&configuration.rates);
+    // q̇ = Ã w + ã0 (4.3); w is q̇ itself where the configuration names no speeds.
+    let speeds = graph.vars(&configuration.speeds);
+    let moved = configuration.kinematics.a.mul_vec(graph, &speeds);
+    let biased = moved.into_iter().zip(&configuration.kinematics.a0);
+    let rates: Vec<Expr> = biased.map(|(rate, bias)| graph.add(rate, *bias)).collect();
     let one = graph.one();
     let mut motion: Vec<(Symbol, Expr)> = configuration.coordinates.iter().copied().zip(rates).collect();
     motion.push((system.time, one));
@@ -62,13 +66,13 @@ pub fn carriers(system: &mut InitialSystem, simplifier: &mut dyn Simplifier) -> 
             simplifier.one(graph, v)
         })
         .collect();
-    let partial = graph.jacobian(&velocities, &configuration.rates);
+    let partial = graph.jacobian(&velocities, &configuration.speeds);
     let bias = graph.along(&velocities, &motion);
     let mut map = positions;
     map.extend(system.speeds.iter().copied().zip(velocities));
     Carriers {
         coordinates: configuration.coordinates,
-        speeds: configuration.rates,
+        speeds: configuration.speeds,
         motion,
         map,
         partial_velocities: Some(partial),

@@ -75,6 +75,12 @@ pub fn chart(
         let pivot = to_state(&mut system.graph, carriers, &tangent, &[pivot])[0];
         guards.pivot(&system.graph, pivot, "the kinematics are not invertible where it vanishes (2.2)", &[]);
     }
+    let quasi = system.configuration.as_ref().map_or(Vec::new(), |given| given.kinematics.pivots.clone());
+    for pivot in quasi {
+        let pivot = to_state(&mut system.graph, carriers, &tangent, &[pivot])[0];
+        let origin = "the configuration's speeds are not invertible where it vanishes (4.3)";
+        guards.pivot(&system.graph, pivot, origin, &[]);
+    }
     for pivot in &tangent.pivots {
         guards.pivot(&system.graph, *pivot, TANGENT_PIVOT, &names(&tangent.rows));
     }

@@ -150,7 +150,7 @@ pub struct Equations {
     pub position_residual: Vec<Expr>,
     /// φ, or ḟ, of every row of C that binds velocities.
     pub velocity_residual: Vec<Expr>,
-    /// T = vᵀ M v / 2.
+    /// T, as the model gives it or vᵀ M v / 2.
     pub kinetic_energy: Expr,
     /// V, where the model gives it.
     pub potential_energy: Option<Expr>,

@@ -106,6 +106,18 @@ pub(crate) fn wrong_number_independent(given: usize, n: usize, m: usize) -> Stri
     )
 }
 
+/// φ(g(u, x, t), x, t) is not zero.
+pub(crate) fn velocities_miss(name: &str, value: &str) -> String {
+    format!("the velocities do not satisfy constraint `{name}`: with them its left minus right side is {value}, not 0")
+}
+
+/// ∂g/∂u has not full rank.
+pub(crate) fn velocities_dependent(name: &str) -> String {
+    format!(
+        "the velocities do not depend on `{name}` in a way of its own: its partial velocities are a combination of the others'"
+    )
+}
+
 /// D Cᵀ is not zero.
 pub(crate) fn not_a_complement(row: &str, constraint: &str, product: &str) -> String {
     format!("row `{row}` of the complement violates constraint `{constraint}`: their product is {product}, not 0")

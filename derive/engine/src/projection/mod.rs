@@ -2,6 +2,7 @@
 //!
 //! | file | idea |
 //! |---|---|
+//! | [`lagrange`] | the inertia terms of h* from the kinetic energy |
 //! | [`constraints`] | rows differentiated to C v̇ + c0* = 0 (2.5), (2.6) |
 //! | [`dependence`] | which rows are independent, which repeat others, which contradict |
 //! | [`elimination`] | C_d⁻¹ by Gauss-Jordan on the arena, pivots chosen and recorded |
@@ -11,6 +12,7 @@
 //! | [`back`] | carriers and independent speeds from v |
 //! | [`complement`] | the basis D as the user gives it |
 //! | [`acceleration`] | the rows that bind only the rates of the state's speeds |
+//! | [`given`] | the basis D from v = g(u, x, t) (5.8), (5.9) |
 //! | [`judge`] | the choice of speeds at the start that the model names |
 //! | [`dynamics`] | M_d and h_u* (4.10), (5.6) |
 //! | [`motion`] | the rates u̇ of the state's speeds |
@@ -32,8 +34,10 @@ pub mod dynamics;
 pub mod elimination;
 pub mod equations;
 pub mod factorisation;
+pub mod given;
 pub mod guards;
 pub mod judge;
+pub mod lagrange;
 pub(crate) mod messages;
 pub mod motion;
 pub mod project;

@@ -11,7 +11,7 @@ use super::equations::Equations;
 use super::judge::judge;
 use super::reactions::{Motion, rates as rates_of, reactions, shared};
 use super::tangent::tangent;
-use super::{Simplifier, constraints::DifferentiatedRow, messages};
+use super::{Simplifier, constraints::DifferentiatedRow, lagrange, messages};
 use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Graph, Matrix, Rational, Stage};
 use crate::syntax::Diagnostics;
@@ -23,11 +23,12 @@ pub const TANGENT_PIVOT: &str =
 /// Projects the initial system onto the motions that its constraints leave, or says why it cannot.
 pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Result<Equations, Diagnostics> {
     let mut errors = Diagnostics::new();
+    lagrange::complete(&mut system, simplifier);
     let rows = differentiate(&mut system);
     let n = system.speeds.len();
     let sorted = sort(&mut system.graph, simplifier, &rows, n, &mut errors);
     let carriers = carriers(&mut system, simplifier);
-    check_configuration(&mut system, simplifier, &rows, &carriers, &mut errors);
+    let second_stage = check_configuration(&mut system, simplifier, &rows, &carriers, &mut errors);
     if !errors.is_empty() {
         return Err(errors);
     }
@@ -98,6 +99,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     notes.extend(acceleration::notes(&system.graph, &rows, &sorted.kept, &tangent, &bound));
     notes.extend(dependence::notes(&system.graph, &rows, &sorted));
     notes.extend(further.notes);
+    notes.extend(second_stage);
     notes.extend(names.notes);
     Ok(Equations {
         time: system.time,
@@ -144,29 +146,43 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     })
 }
 
-/// f(g(q, t)) ≡ 0 for the position rows that the configuration is to satisfy.
+/// f(g(q, t)) ≡ 0 for the position rows that the configuration is to satisfy. Those that it leaves to a second stage are
+/// named in a note, lest a slip in g go unseen.
 fn check_configuration(
     system: &mut InitialSystem,
     simplifier: &mut dyn Simplifier,
     rows: &[DifferentiatedRow],
     carriers: &Carriers,
     errors: &mut Diagnostics,
-) {
+) -> Option<String> {
+    let mut left = Vec::new();
     for row in rows {
         let Some(f) = row.position else { continue };
         let value = system.graph.substitute(&[f], &carriers.map)[0];
         // A function of q is a constraint of the second stage; of t and parameters alone it can only be wrong.
         let slopes = system.graph.jacobian(&[value], &carriers.coordinates);
-        if slopes.entries().iter().all(|e| system.graph.vanishes(*e)) && !system.graph.vanishes(value) {
+        if slopes.entries().iter().any(|e| !system.graph.vanishes(*e)) {
+            left.push(format!("`{}`", row.name));
+        } else if !system.graph.vanishes(value) {
             let value = simplifier.one(&mut system.graph, value);
             let text = system.graph.display(value);
             errors.report(row.span, messages::configuration_misses(&row.name, &text));
         }
     }
+    (carriers.partial_velocities.is_some() && !left.is_empty()).then(|| {
+        let (they, bind) = if left.len() == 1 { ("it", "binds") } else { ("they", "bind") };
+        format!(
+            "the configuration does not satisfy {}: {they} {bind} its coordinates in a second stage",
+            left.join(", ")
+        )
+    })
 }
 
-/// T = vᵀ M v / 2.
+/// T as the model gives it, else vᵀ M v / 2.
 fn kinetic_energy(system: &mut InitialSystem) -> Expr {
+    if let Some(kinetic) = system.kinetic {
+        return kinetic;
+    }
     let graph = &mut system.graph;
     let v = graph.vars(&system.speeds);
     let momenta = system.inertia.mul_vec(graph, &v);

@@ -3,12 +3,12 @@
 //! The rows that bind the carriers are eliminated among them, w = D2ᵀ u + w_p with a unit block in D2, or the user's
 //! complement is taken. With a unit block the bias is [-C_d⁻¹ c0*; 0], without any derivative of D.
 
-use super::Simplifier;
 use super::carriers::{CarriedRow, Carriers};
-use super::complement::given;
+use super::complement;
 use super::constraints::DifferentiatedRow;
 use super::elimination::{Choice, Elimination, Stuck, eliminate};
 use super::messages;
+use super::{Simplifier, given};
 use crate::model::{Independent, IndependentSpeed, InitialSystem};
 use crate::symbolic::{Expr, Graph, Matrix, Symbol};
 use crate::syntax::Diagnostics;
@@ -48,8 +48,11 @@ pub fn tangent(
     chart: usize,
     errors: &mut Diagnostics,
 ) -> Option<Tangent> {
+    if system.velocities.is_some() {
+        return given::velocities(system, simplifier, rows, kept, carriers, errors);
+    }
     if system.complement.is_some() {
-        return given(system, simplifier, rows, kept, carried, carriers, errors);
+        return complement::given(system, simplifier, rows, kept, carried, carriers, errors);
     }
     let choice = system.independent.get(chart).cloned();
     let independent = chosen(system, carriers, choice.as_ref(), carried.len(), errors)?;

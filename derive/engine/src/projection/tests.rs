@@ -96,9 +96,11 @@ fn disk() -> Disk {
         kinematics: Kinematics { a, a0: zeros.clone(), b, b0: zeros, pivots: vec![c] },
         inertia,
         forces: vec![h1, h2, h3, h4, h5, zero],
+        kinetic: None,
         potential: None,
         rows: vec![],
         configuration: None,
+        velocities: None,
         independent: vec![],
         complement: None,
         places: Places { model: here, kinematics: here, inertia: here, complement: here },
@@ -142,7 +144,10 @@ impl Disk {
             .collect();
         let map = x.iter().map(|s| if g.name(*s) == "z" { g.zero() } else { g.var(*s) }).collect();
         let z = g.var(x[2]);
-        self.system.configuration = Some(Configuration { coordinates: q, rates, map, span: Span::call_site() });
+        let (unit, none) = (Matrix::identity(g, 5), vec![g.zero(); 5]);
+        let kinematics = Kinematics { a: unit.clone(), a0: none.clone(), b: unit, b0: none, pivots: vec![] };
+        let (speeds, span) = (rates.clone(), Span::call_site());
+        self.system.configuration = Some(Configuration { coordinates: q, rates, speeds, kinematics, map, span });
         let v = self.system.graph.vars(&self.system.speeds);
         let xdot = self.system.kinematics.a.mul_vec(&mut self.system.graph, &v);
         let g = &mut self.system.graph;

@@ -37,8 +37,10 @@ pub struct Declarations {
     pub kinematics: Option<Kinematics>,
     /// `#[inertia(..)]`, M of (2.3).
     pub inertia: Option<Inertia>,
-    /// `#[forces(..)]`, h* of (2.3).
+    /// `#[forces(..)]`, h* of (2.3); beside `kinetic_energy` the further generalised forces in it.
     pub forces: Option<List>,
+    /// `#[kinetic_energy(..)]`, from which M and the inertia terms of h* follow.
+    pub kinetic_energy: Option<Expression>,
     /// `#[potential_energy(..)]`.
     pub potential_energy: Option<Expression>,
     /// `#[constraint(..)]`, in order.
@@ -47,6 +49,8 @@ pub struct Declarations {
     pub configuration: Option<Configuration>,
     /// `#[independent(..)]`, in order: the first names the state's speeds, the others are further charts.
     pub independent: Vec<Independent>,
+    /// `#[velocities(..)]`, (5.8).
+    pub velocities: Option<Velocities>,
     /// `#[complement(..)]`, D of (3.1) by rows.
     pub complement: Option<Complement>,
     /// `#[start(..)]`.
@@ -234,13 +238,28 @@ pub struct Constraint {
     pub redundant: bool,
 }
 
-/// `#[configuration(of(alpha), x = .., z = 0)]`
+/// `#[configuration(of(alpha), x = .., z = 0)]`, and with quasi-velocities `speeds(u), dot(alpha) = ..` or `u = ..`
 #[derive(Clone, Debug)]
 pub struct Configuration {
     /// `of(..)`: generalised coordinates that are not initial ones.
     pub further: Vec<Name>,
+    /// `speeds(..)`: the quasi-velocities u of (4.3).
+    pub speeds: Vec<Name>,
+    /// `dot(q) = ..` (4.3) or `u = ..`, in order of appearance.
+    pub kinematics: Vec<(Quantity, Expression)>,
     /// The initial coordinates that are given as functions of the others.
     pub map: Vec<Assignment>,
+    /// The statement's own name.
+    pub span: Span,
+}
+
+/// `#[velocities(of(u), v1 = .., v2 = ..)]`
+#[derive(Clone, Debug)]
+pub struct Velocities {
+    /// `of(..)`: independent speeds that are no speeds of the system.
+    pub further: Vec<Name>,
+    /// The speeds that are given as functions of the others and of these.
+    pub map: Vec<(Quantity, Expression)>,
     /// The statement's own name.
     pub span: Span,
 }

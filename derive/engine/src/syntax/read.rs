@@ -49,9 +49,11 @@ pub(crate) fn declarations(input: DeriveInput, diagnostics: &mut Diagnostics) ->
         kinematics: None,
         inertia: None,
         forces: None,
+        kinetic_energy: None,
         potential_energy: None,
         constraints: Vec::new(),
         configuration: None,
+        velocities: None,
         independent: Vec::new(),
         complement: None,
         start: Vec::new(),
@@ -150,16 +152,14 @@ fn read(statement: &Statement, model: &mut Declarations, diagnostics: &mut Diagn
             let entries = expressions(&entries, diagnostics);
             model.forces = Some(List { entries, span });
         }
-        "potential_energy" => match entries.as_slice() {
-            [entry] => model.potential_energy = Some(entry.expression(diagnostics)),
-            [_, second, ..] => diagnostics.report(second.place(), messages::one_expression()),
-            [] => {}
-        },
+        "kinetic_energy" => model.kinetic_energy = single(&entries, diagnostics),
+        "potential_energy" => model.potential_energy = single(&entries, diagnostics),
         "constraint" => model.constraints.extend(constraints(&entries, diagnostics)),
         "define" => model.defines.extend(assignments(&entries, "mu = expression", diagnostics)),
         "function" => model.functions.extend(function(&entries, diagnostics)),
         "start" => model.start.extend(assignments(&entries, "theta = 0.3", diagnostics)),
         "configuration" => model.configuration = Some(configuration(&entries, span, diagnostics)),
+        "velocities" => model.velocities = Some(velocities(&entries, span, diagnostics)),
         "independent" => {
             let entries =
                 entries.iter().filter_map(|entry| quantity(&entry.tokens, entry.place(), diagnostics)).collect();
@@ -180,6 +180,15 @@ fn names(entries: &[Entry], diagnostics: &mut Diagnostics) -> Vec<Name> {
 
 fn expressions(entries: &[Entry], diagnostics: &mut Diagnostics) -> Vec<Expression> {
     entries.iter().map(|entry| entry.expression(diagnostics)).collect()
+}
+
+/// One expression and no more.
+fn single(entries: &[Entry], diagnostics: &mut Diagnostics) -> Option<Expression> {
+    if let [_, second, ..] = entries {
+        diagnostics.report(second.place(), messages::one_expression());
+        return None;
+    }
+    entries.first().map(|entry| entry.expression(diagnostics))
 }
 
 fn assignments(entries: &[Entry], form: &str, diagnostics: &mut Diagnostics) -> Vec<Assignment> {
@@ -348,24 +357,47 @@ fn path_of(tokens: &[TokenTree], place: Place, diagnostics: &mut Diagnostics) ->
 }
 
 fn configuration(entries: &[Entry], span: Span, diagnostics: &mut Diagnostics) -> Configuration {
-    let mut further = Vec::new();
-    let mut map = Vec::new();
+    let (mut further, mut speeds) = (Vec::new(), Vec::new());
+    let (mut map, mut kinematics): (Vec<Assignment>, Vec<(Quantity, Expression)>) = Default::default();
     for entry in entries {
-        match entry.tokens.as_slice() {
-            [TokenTree::Ident(of), TokenTree::Group(list)]
-                if of == "of" && list.delimiter() == Delimiter::Parenthesis =>
-            {
-                let inner = entries::split(list.stream(), list.span_close());
-                further.extend(names(&inner, diagnostics));
-            }
-            _ => {
-                let form = "x = expression` or `of(alpha)";
-                let assignment = entry.named_expression(form, diagnostics);
-                map.extend(assignment.map(|(name, value)| Assignment { name, value }));
-            }
+        if let Some(names) = named_list(entry, "of", diagnostics) {
+            further.extend(names);
+        } else if let Some(names) = named_list(entry, "speeds", diagnostics) {
+            speeds.extend(names);
+        } else if matches!(entry.tokens.first(), Some(TokenTree::Ident(dot)) if dot == "dot") {
+            kinematics.extend(kinematic(entry, diagnostics));
+        } else {
+            let form = "x = expression` or `of(alpha)";
+            let assignment = entry.named_expression(form, diagnostics);
+            map.extend(assignment.map(|(name, value)| Assignment { name, value }));
         }
     }
-    Configuration { further, map, span }
+    // What is given for a speed belongs to the kinematics, wherever `speeds(..)` stands.
+    let (of_speeds, map): (Vec<Assignment>, Vec<Assignment>) =
+        map.into_iter().partition(|given| speeds.iter().any(|speed: &Name| speed.ident == given.name));
+    kinematics.extend(of_speeds.into_iter().map(|given| (Quantity::Name(given.name), given.value)));
+    Configuration { further, speeds, kinematics, map, span }
+}
+
+fn velocities(entries: &[Entry], span: Span, diagnostics: &mut Diagnostics) -> Velocities {
+    let (mut further, mut map) = (Vec::new(), Vec::new());
+    for entry in entries {
+        match named_list(entry, "of", diagnostics) {
+            Some(names) => further.extend(names),
+            None => map.extend(kinematic(entry, diagnostics)),
+        }
+    }
+    Velocities { further, map, span }
+}
+
+/// The names in `of(..)`, where the entry is that.
+fn named_list(entry: &Entry, word: &str, diagnostics: &mut Diagnostics) -> Option<Vec<Name>> {
+    match entry.tokens.as_slice() {
+        [TokenTree::Ident(of), TokenTree::Group(list)] if of == word && list.delimiter() == Delimiter::Parenthesis => {
+            Some(names(&entries::split(list.stream(), list.span_close()), diagnostics))
+        }
+        _ => None,
+    }
 }
 
 /// `w1 = [..]`

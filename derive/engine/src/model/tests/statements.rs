@@ -35,6 +35,12 @@ fn every_message_about_a_statement() {
             &["1:29 `u`: `u` is an input, but the inertia may depend on parameters, coordinates and `t` only"],
         ),
         (
+            r#"#[inputs(u)] #[kinetic_energy(u*powi(dot(x), 2))]"#,
+            &[
+                "1:31 `u`: `u` is an input, but the kinetic energy may depend on parameters, coordinates of `coordinates`, speeds, rates and `t` only",
+            ],
+        ),
+        (
             r#"#[inputs(u)] #[potential_energy(u + dot(x))]"#,
             &[
                 "1:33 `u`: `u` is an input, but the potential energy may depend on parameters, coordinates and `t` only",

@@ -207,6 +207,8 @@ pub(crate) const RULE_SPEEDS: &str =
     "the kinematics give a speed by parameters, coordinates, `t` and rates such as `dot(x)`";
 pub(crate) const RULE_RATES: &str = "the kinematics give a rate by parameters, coordinates, `t` and speeds";
 pub(crate) const RULE_INERTIA: &str = "the inertia may depend on parameters, coordinates and `t` only";
+pub(crate) const RULE_KINETIC: &str =
+    "the kinetic energy may depend on parameters, coordinates of `coordinates`, speeds, rates and `t` only";
 pub(crate) const RULE_POTENTIAL: &str = "the potential energy may depend on parameters, coordinates and `t` only";
 pub(crate) const RULE_FORCES: &str =
     "forces may depend on parameters, coordinates of `coordinates`, speeds, inputs and `t` only";
@@ -214,6 +216,12 @@ pub(crate) const RULE_CONSTRAINT: &str =
     "a constraint may depend on parameters, coordinates of `coordinates`, speeds, accelerations and `t` only";
 pub(crate) const RULE_CONFIGURATION: &str =
     "a coordinate is given by parameters, other coordinates and `t` in `configuration`";
+pub(crate) const RULE_QUASI_SPEEDS: &str =
+    "a speed of `configuration` is given by parameters, coordinates, `t` and rates such as `dot(q)`";
+pub(crate) const RULE_QUASI_RATES: &str =
+    "a rate is given by parameters, coordinates, `t` and speeds of `configuration` here";
+pub(crate) const RULE_VELOCITIES: &str =
+    "`velocities` gives a speed by parameters, coordinates, `t`, the remaining speeds and those in `of(..)`";
 pub(crate) const RULE_COMPLEMENT: &str = "the entries of D may depend on parameters, coordinates and `t` only";
 pub(crate) const RULE_NUMBER: &str = "this is a value for judging, which is made of numbers and `PI` only";
 
@@ -283,6 +291,14 @@ messages! {
         "`{name}` is a coordinate; its rate is `dot({name})`";
     not_symmetric(row, column, above, below) =
         "the inertia is not symmetric: entry ({row}, {column}) is `{above}`, but entry ({column}, {row}) is `{below}`";
+    kinetic_not_quadratic(row, column, derivative) =
+        "the kinetic energy must be quadratic in the speeds, but its second derivative by `{row}` and `{column}` \
+         is `{derivative}`";
+    kinetic_without_speed() =
+        "the kinetic energy has no term that is quadratic in the speeds";
+    inertia_differs(row, column, given, found) =
+        "the inertia differs from the kinetic energy: entry ({row}, {column}) is `{given}`, but the second derivative \
+         of the kinetic energy is `{found}`";
     underscore_on_diagonal() =
         "an entry on the diagonal does not follow by symmetry; write it out";
     underscore_twice() =
@@ -306,6 +322,26 @@ messages! {
         "`{name}` is itself given by `configuration`; give it by the remaining coordinates";
     configuration_without_coordinate() =
         "no coordinate remains free; leave one out or name further ones in `of(..)`";
+    configuration_kinematics_without_speeds() =
+        "the configuration gives rates but no speeds; name them in `speeds(..)`";
+    configuration_number_of_speeds(found, expected) =
+        "there must be as many speeds as generalised coordinates: found {found}, expected {expected}";
+    configuration_rate_of_given(name) =
+        "`{name}` is given by `configuration`; only rates of the remaining coordinates are given by speeds";
+    configuration_speeds_without_kinematics(names) =
+        "the configuration does not tell what its speeds are: give each of {names}, or the rate of each coordinate";
+    velocities_left_side(name, carriers) =
+        "`{name}` cannot be given here; `velocities` gives some of {carriers}";
+    velocities_twice(name) =
+        "`{name}` is given twice";
+    velocities_of_given(name) =
+        "`{name}` is itself given by `velocities`; give it by the remaining speeds";
+    velocities_without_speed() =
+        "no speed remains free; leave one out or name further ones in `of(..)`";
+    velocities_without(name) =
+        "no speed is given by `{name}`";
+    velocities_and(other) =
+        "`velocities` names the independent speeds already; leave out `{other}`";
     configuration_without(name) =
         "no coordinate is given by `{name}`";
     independent_form(name, what) =

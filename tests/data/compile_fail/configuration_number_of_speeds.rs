@@ -1,0 +1,8 @@
+#[coordinates(x, y)]
+#[inertia(diag(m, m))]
+#[forces(0, 0)]
+#[configuration(of(a), x = l*sin(a), y = l*cos(a), speeds(u, w), u = dot(a), w = 2*dot(a))]
+pub struct Model {
+    pub m: f64,
+    pub l: f64,
+}

@@ -1,0 +1,8 @@
+#[coordinates(x, y)]
+#[inertia(diag(m, m))]
+#[forces(0, 0)]
+#[configuration(y = x*x, speeds(u), u = u + dot(x))]
+pub struct Model {
+    pub m: f64,
+    pub l: f64,
+}

@@ -1,0 +1,5 @@
+#[coordinates(x)]
+#[kinetic_energy(m*dot(x) + m*x)]
+pub struct Massless {
+    pub m: f64,
+}

@@ -1,0 +1,9 @@
+#[coordinates(x, y)]
+#[inertia(diag(m, m))]
+#[forces(0, 0)]
+#[independent(dot(x))]
+#[velocities(of(u), dot(x) = c*cos(u), dot(y) = c*sin(u))]
+pub struct Model {
+    pub m: f64,
+    pub c: f64,
+}

@@ -1,0 +1,8 @@
+#[coordinates(x, y)]
+#[inertia(diag(m, m))]
+#[forces(0, 0)]
+#[velocities(of(u), dot(x) = c*cos(u), u = 2)]
+pub struct Model {
+    pub m: f64,
+    pub c: f64,
+}
