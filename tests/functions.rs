@@ -25,8 +25,10 @@ use support::splitmix::SplitMix;
 #[constraint(gear: dot(y) == (if x < 0.7 { powi(x, 2) } else { 1.4*x - 0.49 } + sinh(x)/9)*dot(x)/3)]
 #[independent(dot(x))]
 pub struct AllFunctions {
+    /// The mass.
     #[nominal(1.5)]
     pub m: f64,
+    /// The stiffness.
     #[nominal(0.8)]
     pub k: f64,
 }
