@@ -220,6 +220,7 @@ impl<'a> System<'a> {
         let columns: Vec<_> = (0..n).map(column).collect();
         let scope = self.moving(t, &x, &v);
         let a = DMatrix::from_fn(n, n, |i, j| columns[j][i].rate);
+        // with both T and M given, M is a check of T
         let (m, h, kinetic) = if self.model.kinetic_energy.is_some() {
             let (m, inertial) = self.lagrange(t, &x, &v, &a);
             (m, self.forces(&scope, inertial), self.kinetic(t, &x, &v))
