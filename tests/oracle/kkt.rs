@@ -146,7 +146,8 @@ fn solve_dense(matrix: &DMatrix<f64>, vector: &DVector<f64>, regular: bool) -> (
     // the singular vectors of rows that repeat each other are known to some five digits only
     let mut solution = once(vector);
     for _ in 0..if regular { 1 } else { 5 } {
-        solution += once(&(vector - matrix * &solution));
+        let correction = once(&(vector - matrix * &solution));
+        solution += correction;
     }
     (solution, condition)
 }
