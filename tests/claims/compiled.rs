@@ -36,6 +36,7 @@ pub fn claim<M: ConstrainedSystem>(model: &Prepared<M>, t: f64, q: &[f64], u: &[
         forcing: entries(&model.forcing(t, &s, &i)),
         complement: dense(&model.complement(t, &s)),
         complement_bias: entries(&model.complement_bias(t, &s)),
+        guards: entries(&model.guards(t, &s)),
         multipliers: lambda
             .map(|(value, info)| Multiplier { name: info.name.to_string(), value, row: info.row })
             .collect(),

@@ -157,6 +157,7 @@ impl Evaluated<'_> {
             forcing: state(&e.forcing),
             complement: matrix(&e.complement, state(e.complement.entries())),
             complement_bias: state(&e.complement_bias),
+            guards: state(&e.guards.iter().map(|guard| guard.expr).collect::<Vec<_>>()),
             multipliers,
             row_names: e.row_names(),
             constraint_matrix: matrix(&e.constraint_matrix, initial(e.constraint_matrix.entries())),

@@ -44,6 +44,8 @@ pub struct Claim {
     pub complement: DMatrix<f64>,
     /// a_u.
     pub complement_bias: Vec<f64>,
+    /// What the derivation divides by at this state.
+    pub guards: Vec<f64>,
     /// λ.
     pub multipliers: Vec<Multiplier>,
     /// The names of the rows of C.

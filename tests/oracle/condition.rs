@@ -1,21 +1,55 @@
 //! How much a chart amplifies rounding, and what a matrix sends to zero.
 
 use super::claim::Claim;
-use super::kkt::conditioned_rank;
+use super::kkt::{RANK, conditioned_rank};
 use super::system::{Dynamics, Rows, System};
 use nalgebra::{DMatrix, DVector};
 
+/// The matrix P with λ = P r the solution of Cᵀ λ = r of least norm, for any rank of C.
+///
+/// With the independent rows C_b and C = W C_b: μ = (C_b C_bᵀ)⁻¹ C_b r, and λ = W (Wᵀ W)⁻¹ μ. Rows are picked by what is left of
+/// them beside those picked before, the longest first.
+pub fn least_norm(c: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut left = c.clone();
+    let longest = c.row_iter().map(|row| row.norm()).fold(0.0_f64, f64::max);
+    let mut picked = Vec::new();
+    while picked.len() < c.nrows().min(c.ncols()) {
+        let norms: Vec<f64> = left.row_iter().map(|row| row.norm()).collect();
+        let next = (0..norms.len()).max_by(|a, b| norms[*a].total_cmp(&norms[*b])).expect("a row");
+        if norms[next] <= RANK * longest {
+            break;
+        }
+        picked.push(next);
+        let direction = left.row(next) / norms[next];
+        for mut row in left.row_iter_mut() {
+            let along = row.dot(&direction);
+            row -= &direction * along;
+        }
+    }
+    let base = c.select_rows(&picked);
+    let gram = (&base * base.transpose()).cholesky().expect("the rows are independent");
+    let of_base = gram.solve(&base);
+    let w = c * of_base.transpose();
+    let inner = (w.transpose() * &w).cholesky().expect("W holds the unit rows");
+    &w * inner.solve(&of_base)
+}
+
 /// The condition of D, or of the columns of C that the chart eliminates if larger; speeds at the scale of their inertia.
+///
+/// Elimination row by row may meet a pivot that is small although the whole block is well conditioned: what it amplifies is the
+/// entries of C over the smallest guard.
 ///
 /// The eliminated columns are those outside the unit block of D for all rows, and those whose speeds the state does not hold for
 /// the rows that bind v linearly.
 pub fn chart_condition(system: &System<'_>, claim: &Claim, dynamics: &Dynamics, rows: &Rows) -> f64 {
     let n = system.model.n();
     let root = dynamics.m.map(|e| e.value).diagonal().map(f64::sqrt);
+    let entries = rows.c.iter().fold(1.0_f64, |size, e| size.max(e.value.abs()));
+    let growth = claim.guards.iter().fold(1.0_f64, |growth, guard| growth.max(entries / guard.abs()));
     let d = DMatrix::from_fn(claim.complement.nrows(), n, |i, j| claim.complement[(i, j)] * root[j]);
     let of_d = conditioned_rank(&unit_rows(&d)).1;
     if system.model.configuration.is_some() {
-        return of_d;
+        return of_d.max(growth);
     }
     let c = DMatrix::from_fn(rows.names.len(), n, |i, j| rows.c[(i, j)].value / root[j]);
     let of_columns = |rows: &DMatrix<f64>, free: &dyn Fn(usize) -> bool, count: usize| {
@@ -32,7 +66,7 @@ pub fn chart_condition(system: &System<'_>, claim: &Claim, dynamics: &Dynamics, 
     let held = |j: usize| claim.speed_names.contains(&system.model.speeds[j]);
     let of_all = of_columns(&c, &|j| block.contains(&j), claim.complement.nrows());
     let of_linear = of_columns(&c.select_rows(&linear), &held, claim.speeds.len());
-    of_d.max(of_all).max(of_linear)
+    of_d.max(of_all).max(of_linear).max(growth)
 }
 
 /// The columns that are unit vectors, one for each row that has one.

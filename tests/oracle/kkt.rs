@@ -127,7 +127,7 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial) -> Motion {
     }
 }
 
-/// LU with one step of refinement, or the solution of minimum norm where the rows depend on each other.
+/// LU with one step of refinement, or the solution of minimum norm, refined as well, where the rows depend on each other.
 fn solve_dense(matrix: &DMatrix<f64>, vector: &DVector<f64>, regular: bool) -> (DVector<f64>, f64) {
     if matrix.is_empty() {
         return (vector.clone(), 1.0);
@@ -143,9 +143,13 @@ fn solve_dense(matrix: &DMatrix<f64>, vector: &DVector<f64>, regular: bool) -> (
             svd.solve(right, RANK * largest).expect("both sets of singular vectors")
         }
     };
-    let first = once(vector);
-    let correction = once(&(vector - matrix * &first));
-    (first + correction, condition)
+    // the singular vectors of rows that repeat each other are known to some five digits only
+    let mut solution = once(vector);
+    for _ in 0..if regular { 1 } else { 5 } {
+        let correction = once(&(vector - matrix * &solution));
+        solution += correction;
+    }
+    (solution, condition)
 }
 
 /// The rank of a matrix and the condition of what it keeps.
