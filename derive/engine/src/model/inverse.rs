@@ -6,11 +6,8 @@
 //! are orthogonal, by cofactors up to 3 x 3, and only beyond that by pivots: numbers first, then parameters, then what
 //! fills in least. A block's only divisors are then its determinant's factors.
 
-use super::blocks;
+use crate::symbolic::blocks::{COFACTORS, cofactors, triangular};
 use crate::symbolic::{Expr, Graph, Matrix, Stage};
-
-/// Blocks up to this size are inverted by cofactors.
-const COFACTORS: usize = 3;
 
 /// An inverse and what it divides by.
 pub(super) struct Inverse {
@@ -26,7 +23,7 @@ pub(super) struct Dependence(pub Vec<Expr>);
 pub(super) fn inverse(graph: &mut Graph, matrix: &Matrix) -> Result<Inverse, Dependence> {
     let n = matrix.rows();
     let mut work = Elimination::new(graph, matrix);
-    let found = blocks::triangular(n, |i, j| !graph.is_zero(work.left.get(i, j)));
+    let found = triangular(n, |i, j| !graph.is_zero(work.left.get(i, j)));
     let Some(found) = found else { return Err(dependence(graph, matrix)) };
     for block in found {
         if !work.invert_block(graph, block.rows, block.columns) {
@@ -204,28 +201,6 @@ fn orthogonal(graph: &mut Graph, block: &Matrix, by_rows: bool) -> Option<Vec<Ex
     let diagonal = (0..n).all(|i| (0..i).all(|j| graph.vanishes(gram.get(i, j))));
     let norms: Vec<Expr> = (0..n).map(|i| settled(graph, gram.get(i, i))).collect();
     (diagonal && norms.iter().all(|norm| !graph.vanishes(*norm))).then_some(norms)
-}
-
-/// Adjugate and determinant of a block of up to three rows.
-fn cofactors(graph: &mut Graph, block: &Matrix) -> (Matrix, Expr) {
-    let n = block.rows();
-    let adjugate = match n {
-        1 => Matrix::identity(graph, 1),
-        2 => Matrix::from_fn(2, 2, |i, j| {
-            let entry = block.get(1 - j, 1 - i);
-            if i == j { entry } else { graph.neg(entry) }
-        }),
-        _ => Matrix::from_fn(n, n, |i, j| {
-            // The cyclic minor carries its sign.
-            let at = |a: usize, b: usize| block.get((j + a) % 3, (i + b) % 3);
-            let main = graph.mul(at(1, 1), at(2, 2));
-            let other = graph.mul(at(1, 2), at(2, 1));
-            graph.sub(main, other)
-        }),
-    };
-    let terms: Vec<Expr> = (0..n).map(|k| graph.mul(block.get(0, k), adjugate.get(k, 0))).collect();
-    let determinant = graph.sum(&terms);
-    (adjugate, determinant)
 }
 
 /// The expression without the symbols on which it does not depend: sin² + cos² is 1.

@@ -9,7 +9,7 @@
 //! | `defines` | intermediate names in the order of their dependence |
 //! | `kinematics` | ẋ = A v + a0 (2.1), v = B ẋ + b0 (2.2): one given, the other derived |
 //! | `linear` | splitting what is linear, decided |
-//! | `inverse`, `blocks` | inverses with few divisors |
+//! | `inverse` | inverses with few divisors |
 //! | `dynamics` | M, h* (2.3), T, V |
 //! | `rows` | constraints, sorted by what they bind |
 //! | `configuration` | x = g(q, t) (4.2) |
@@ -18,7 +18,6 @@
 //! | `numbers` | values for judging |
 //! | `system` | the result |
 
-mod blocks;
 mod choice;
 mod configuration;
 mod context;

@@ -2,6 +2,7 @@
 //!
 //! | file | idea |
 //! |---|---|
+//! | [`blocks`] | block-triangular form, cofactors |
 //! | [`rational`] | exact numbers, small ones without allocation |
 //! | [`node`] | what an expression is: symbols, n-ary sums and products, functions |
 //! | [`given`] | functions of the user's |
@@ -17,6 +18,7 @@
 //! | [`matrix`] | matrices of expressions |
 //! | [`display`] | text for messages and documentation |
 
+pub mod blocks;
 pub mod bounds;
 pub mod construct;
 pub mod differentiate;

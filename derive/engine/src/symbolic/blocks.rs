@@ -1,15 +1,22 @@
-//! The block-triangular form of a square pattern.
+//! The block-triangular form of a square pattern, and the inverse of a small block as a whole.
+
+use super::{Expr, Graph, Matrix};
+
+/// Blocks up to this size are inverted by cofactors.
+pub const COFACTORS: usize = 3;
 
 /// Rows and columns that can only be solved together.
 #[derive(Debug, PartialEq)]
-pub(super) struct Block {
+pub struct Block {
+    /// The rows.
     pub rows: Vec<usize>,
+    /// As many columns.
     pub columns: Vec<usize>,
 }
 
 /// The smallest blocks, in an order in which a block's rows have entries only in its own columns and in those of
 /// earlier blocks. `None` if the pattern alone makes the matrix singular.
-pub(super) fn triangular(n: usize, filled: impl Fn(usize, usize) -> bool) -> Option<Vec<Block>> {
+pub fn triangular(n: usize, filled: impl Fn(usize, usize) -> bool) -> Option<Vec<Block>> {
     let column_of = matching(n, &filled)?;
     // Row i needs row k if it has an entry in the column of k; then who needs whom, however indirectly.
     let mut needs: Vec<Vec<bool>> =
@@ -77,6 +84,28 @@ fn matching(n: usize, filled: &impl Fn(usize, usize) -> bool) -> Option<Vec<usiz
         column_of[(*row)?] = column;
     }
     Some(column_of)
+}
+
+/// Adjugate and determinant of a block of up to three rows.
+pub fn cofactors(graph: &mut Graph, block: &Matrix) -> (Matrix, Expr) {
+    let n = block.rows();
+    let adjugate = match n {
+        1 => Matrix::identity(graph, 1),
+        2 => Matrix::from_fn(2, 2, |i, j| {
+            let entry = block.get(1 - j, 1 - i);
+            if i == j { entry } else { graph.neg(entry) }
+        }),
+        _ => Matrix::from_fn(n, n, |i, j| {
+            // The cyclic minor carries its sign.
+            let at = |a: usize, b: usize| block.get((j + a) % 3, (i + b) % 3);
+            let main = graph.mul(at(1, 1), at(2, 2));
+            let other = graph.mul(at(1, 2), at(2, 1));
+            graph.sub(main, other)
+        }),
+    };
+    let terms: Vec<Expr> = (0..n).map(|k| graph.mul(block.get(0, k), adjugate.get(k, 0))).collect();
+    let determinant = graph.sum(&terms);
+    (adjugate, determinant)
 }
 
 #[cfg(test)]
