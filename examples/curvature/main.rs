@@ -9,32 +9,14 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod models;
 
 use common::checks::Checks;
 use common::picture::{Panel, draw};
 use holonomy::{ConstrainedSystem, Error, Level, Prepared};
+use models::{SteeredParticle, SteeredParticleState};
 use std::path::Path;
 use std::process::ExitCode;
-
-/// x' y'' - y' x'' = kappa v³: the row C = [-y', x'] is across the path, and so is its reaction.
-#[derive(ConstrainedSystem, Clone)]
-#[coordinates(x, y)]
-#[inertia(diag(m, m))]
-#[forces(0, -m*g)]
-#[potential_energy(m*g*y)]
-#[define(speed = sqrt(powi(dot(x), 2) + powi(dot(y), 2)))]
-#[constraint(path: dot(x)*ddot(y) - dot(y)*ddot(x) == kappa*powi(speed, 3))]
-pub struct SteeredParticle {
-    /// Mass.
-    #[unit(kg)]
-    pub m: f64,
-    /// Acceleration due to gravity.
-    #[unit(m/s/s)]
-    pub g: f64,
-    /// Curvature of the path.
-    #[unit(1/m)]
-    pub kappa: f64,
-}
 
 const M: f64 = 0.8;
 const G: f64 = 9.81;

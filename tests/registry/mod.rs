@@ -12,11 +12,36 @@ pub use models::*;
 pub mod bodies;
 #[path = "../models/linkages.rs"]
 pub mod linkages;
+#[path = "../models/spherical.rs"]
+pub mod spherical;
 
 /// The disk of the example.
 #[path = "../../examples/rolling_disk/models.rs"]
 #[allow(dead_code, missing_docs, reason = "as the example has them")]
 pub mod example_rolling_disk;
+
+// The models of the other examples.
+#[path = "../../examples/appell_hamel/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_appell_hamel;
+#[path = "../../examples/car_axis/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_car_axis;
+#[path = "../../examples/cartesian_pendulum/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_cartesian_pendulum;
+#[path = "../../examples/chaplygin_sleigh/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_chaplygin_sleigh;
+#[path = "../../examples/curvature/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_curvature;
+#[path = "../../examples/spherical_pendulum/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_spherical_pendulum;
+#[path = "../../examples/turntable/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_turntable;
 
 /// Calls a macro with all models: file, module, names and fields.
 macro_rules! every_model {
@@ -75,6 +100,26 @@ macro_rules! every_model {
                 ConstantSpeedByDirection(m, g, c)
                 PendulumByMomentum(m, g, l)
                 Clip(m1, m2, s, pull);
+            "tests/models/spherical.rs" spherical:
+                Spherical(m, l, g)
+                SphericalInCharts(m, l, g)
+                SphericalInAngles(m, l, g);
+            "examples/appell_hamel/models.rs" example_appell_hamel:
+                SteadySlope(m, g, a);
+            "examples/car_axis/models.rs" example_car_axis:
+                CarAxle(eps, m, l, l0, r, w, g);
+            "examples/cartesian_pendulum/models.rs" example_cartesian_pendulum:
+                CartesianPendulum(m, l, g);
+            "examples/chaplygin_sleigh/models.rs" example_chaplygin_sleigh:
+                Sleigh(m, i, a);
+            "examples/curvature/models.rs" example_curvature:
+                SteeredParticle(m, g, kappa);
+            "examples/spherical_pendulum/models.rs" example_spherical_pendulum:
+                OneChart(m, l, g)
+                ThreeCharts(m, l, g)
+                InAngles(m, l, g);
+            "examples/turntable/models.rs" example_turntable:
+                Turntable(m, r, w, a, b);
             "examples/rolling_disk/models.rs" example_rolling_disk:
                 RollingDisk(m, r, j, g)
                 FloorDisk(m, r, j, g)

@@ -143,6 +143,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
                     chart,
                     watch: Watch::new(model, chart, t, &start)?,
                     drift: drift(Carriers::Chart(chart))?,
+                    crossing: crossing(model, t, &s, &v, &self.source.inputs(t, &s))?,
                     source: &mut self.source,
                     manifold: self.manifold.as_mut(),
                     quality,
@@ -177,6 +178,22 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
             }
         }
     }
+}
+
+/// What watches for losses of rank between the steps in an emitted chart, where there are nonlinear rows.
+fn crossing<M: ConstrainedSystem>(
+    model: &Prepared<M>,
+    t: f64,
+    s: &M::State<f64>,
+    v: &M::Velocities<f64>,
+    inputs: &M::Inputs<f64>,
+) -> Result<Option<Equations<M>>, Error> {
+    if M::MODEL.rows.iter().all(|row| row.linear) {
+        return Ok(None);
+    }
+    let mut equations = Equations::new(model)?;
+    equations.crossed(model, t, (s, v), inputs)?;
+    Ok(Some(equations))
 }
 
 /// The flattest of the emitted charts, or the general one.

@@ -1,6 +1,7 @@
 //! An emitted chart as a flow: its points are states whose speeds are those of the chart.
 
 use super::charts::{Chart, Quality, STEEP};
+use super::equations::Equations;
 use super::flow::Flow;
 use super::guards::{Watch, figures, widen};
 use super::inputs::InputSource;
@@ -25,6 +26,8 @@ pub(super) struct Emitted<'r, M: ConstrainedSystem, I> {
     pub(super) watch: Watch<M>,
     pub(super) manifold: Option<&'r mut Manifold<M>>,
     pub(super) drift: Option<Drift<M>>,
+    /// The rows of C from step to step, where there are nonlinear ones: they vanish, and turn over, without a pivot that tells.
+    pub(super) crossing: Option<Equations<M>>,
     /// With the charts that the run may change to.
     pub(super) quality: Option<&'r Quality<M>>,
 }
@@ -65,6 +68,22 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for Emitted<'_, M, I> {
 
     fn judge(&mut self, t: f64, guards: &Self::Guards) -> Result<(), Error> {
         self.watch.judge(t, (*guards).into().as_ref())
+    }
+
+    fn passed(&mut self, t: f64, y: &Self::Point) -> Result<(), Error> {
+        if self.crossing.is_none() {
+            return Ok(());
+        }
+        let (s, v) = self.view(t, y);
+        let inputs = self.inputs(t, y);
+        let Some(crossing) = &mut self.crossing else { return Ok(()) };
+        crossing.crossed(self.model, t, (&s, &v), &inputs).map_err(|mut error| {
+            if let Error::Dependent { rows, guard, .. } = &mut error {
+                let of_rows = M::MODEL.guards.iter().find(|info| info.rows.iter().any(|row| rows.contains(row)));
+                *guard = of_rows.map(|info| info.name);
+            }
+            error
+        })
     }
 
     fn restore(&mut self, t: f64, y: &mut Self::Point) -> Result<bool, Error> {

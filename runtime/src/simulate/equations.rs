@@ -9,11 +9,14 @@ use super::guards::SINGULAR;
 use super::orientation::Orientation;
 use crate::carriers::{Carriers, Frame};
 use crate::manifold::Manifold;
-use crate::tangent::{Loss, Tangent};
+use crate::tangent::{Loss, Span, Tangent};
 use crate::{ConstrainedSystem, Error, Level, Matrix, Prepared, Vector};
 
 /// Rows of C below this fraction of the longest do not take part in reactions.
 const NEGLIGIBLE: f64 = 1e-12;
+
+/// Rows whose directions a step apart have this cosine, in magnitude, are the same or opposite.
+const OPPOSITE: f64 = 0.9;
 
 /// α and β of Baumgarte's stabilisation.
 pub(super) type Baumgarte = Option<(f64, f64)>;
@@ -29,6 +32,8 @@ pub(super) struct Equations<M: ConstrainedSystem> {
     bias: Vec<f64>,
     forces: Vec<f64>,
     orientation: Orientation,
+    /// The rows of C at the last point at which a crossing was looked for.
+    before: Option<Span>,
     /// ẇ of the last point.
     pub(super) rates: Vec<f64>,
 }
@@ -45,6 +50,7 @@ impl<M: ConstrainedSystem> Equations<M> {
             bias: vec![0.0; m],
             forces: vec![0.0; c],
             orientation: Orientation::default(),
+            before: None,
             rates: vec![0.0; c],
         })
     }
@@ -134,6 +140,30 @@ impl<M: ConstrainedSystem> Equations<M> {
             Some(rows) => Err(self.loss(Loss::Rank { rows, pivot: 0.0 }, t)),
             None => Ok(()),
         }
+    }
+
+    /// Whether a loss of rank lies between this point and the last one that was looked at. Unlike in the general chart nothing is
+    /// known of the points between: rows count as turned over only where they are nearly opposite, which no accurate step turns
+    /// them by itself.
+    pub(super) fn crossed(
+        &mut self,
+        model: &Prepared<M>,
+        t: f64,
+        (s, v): (&M::State<f64>, &M::Velocities<f64>),
+        inputs: &M::Inputs<f64>,
+    ) -> Result<(), Error> {
+        let w = self.carriers(model, t, s, v);
+        self.solve(model, t, s, &w, inputs, None)?;
+        if let Some(before) = &self.before {
+            let (sign, cosine) = self.tangent.compare(before);
+            if sign < 0.0 && cosine > OPPOSITE {
+                let rows = self.tangent.turned(before);
+                let rows = if rows.is_empty() { before.rows.clone() } else { rows };
+                return Err(self.loss(Loss::Rank { rows, pivot: 0.0 }, t));
+            }
+        }
+        self.before = Some(self.tangent.span());
+        Ok(())
     }
 
     /// Adds 2 α φ + β² f to c0*, row by row: Baumgarte's terms.

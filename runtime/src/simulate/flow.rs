@@ -49,6 +49,9 @@ pub(super) trait Flow<M: ConstrainedSystem> {
     /// Judges the guards of a point that is to be accepted, and remembers them.
     fn judge(&mut self, t: f64, guards: &Self::Guards) -> Result<(), Error>;
 
+    /// Judges a point that is to be accepted by what lies between it and the one before: a loss of rank that no figure shows.
+    fn passed(&mut self, t: f64, y: &Self::Point) -> Result<(), Error>;
+
     /// Brings a point back onto the constraints, and tells whether it was moved.
     fn restore(&mut self, t: f64, y: &mut Self::Point) -> Result<bool, Error>;
 

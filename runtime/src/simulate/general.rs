@@ -117,6 +117,11 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for General<'_, M, I> {
         self.equations.accept(t).map_err(|error| self.with_guard(error, t, guards))
     }
 
+    fn passed(&mut self, _: f64, _: &Self::Point) -> Result<(), Error> {
+        // Judged with the guards: every stage was seen.
+        Ok(())
+    }
+
     fn restore(&mut self, t: f64, y: &mut Self::Point) -> Result<bool, Error> {
         if self.baumgarte.is_some() {
             return Ok(false);

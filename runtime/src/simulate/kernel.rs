@@ -212,6 +212,7 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
             if let Some(guards) = &guards {
                 flow.judge(next, guards)?;
             }
+            flow.passed(next, &ahead)?;
 
             let (mut next, mut cut) = (next, None);
             let mut coefficients = [*y; COEFFICIENTS];

@@ -142,7 +142,7 @@ fn forms_of_statements() {
                 "1:12 `road`: expected `road(s), derivatives = [droad, ddroad, ..]`: functions from f64 to f64 in scope",
                 "1:34 `(a, b)`: functions of the user's take one argument: expected one name, such as `road(s)`",
                 "1:54 `a + b(x)`: expected the path of a function, such as `road` or `tracks::road`",
-                "1:86 `[droad]`: expected `road(s), derivatives = [droad, ddroad, ..]`: functions from f64 to f64 in scope",
+                "1:85 `[droad]`: expected `road(s), derivatives = [droad, ddroad, ..]`: functions from f64 to f64 in scope",
             ],
         ),
         (r#"potential_energy(a, b)"#, &["1:23 `b`: expected one expression, found another after the comma"]),
