@@ -30,7 +30,8 @@ fn state(system: &System<'_>, equations: &Equations, random: &mut SplitMix) -> O
     let u = random.vector(equations.state_speeds.len(), -1.0, 1.0);
     let evaluated = Evaluated { equations, system };
     let x = system.coordinates(t, &q);
-    let u = onto_nonlinear_rows(system, t, &x, &u, |u| evaluated.velocities(t, &q, u))?;
+    let onto = |u: &[f64]| onto_nonlinear_rows(system, t, &x, u, |u| evaluated.velocities(t, &q, u));
+    let u = if system.model.gives_velocities { u } else { onto(&u)? };
     Some((t, q, u))
 }
 

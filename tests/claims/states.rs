@@ -32,6 +32,7 @@ pub fn random_state<M: ConstrainedSystem>(
         let y: Vec<f64> = q.iter().chain(u).copied().collect();
         entries(&model.velocities(t, &M::State::<f64>::from_fn(|i| y[i])))
     };
-    let u = onto_nonlinear_rows(system, t, &x, &u, velocities)?;
+    // Where the model gives v = g(u, x, t), any u will do, and v is not linear in it.
+    let u = if system.model.gives_velocities { u } else { onto_nonlinear_rows(system, t, &x, &u, velocities)? };
     Some((t, q, u))
 }

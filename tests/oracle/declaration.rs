@@ -71,6 +71,8 @@ pub struct Declaration {
     pub configuration: Option<Configuration>,
     /// The speeds asked for as independent.
     pub independent: Vec<Expr>,
+    /// Whether v = g(u, x, t) is given (5.8): then the state's speeds satisfy the nonlinear rows as well.
+    pub gives_velocities: bool,
     /// Rows of D, each with the name of its speed.
     pub complement: Vec<(String, Vec<Expr>)>,
     /// Named intermediates.
@@ -85,16 +87,9 @@ impl Declaration {
         self.speeds.len()
     }
 
-    /// The nominal parameters, in the order of the fields.
-    ///
-    /// # Panics
-    /// If a parameter has none.
+    /// The nominal parameters, or one, in the order of the fields.
     pub fn nominal(&self) -> Vec<f64> {
-        let value = |(name, value): &(String, Option<f64>)| match value {
-            Some(value) => *value,
-            None => panic!("{}: no nominal value for `{name}`", self.name),
-        };
-        self.parameters.iter().map(value).collect()
+        self.parameters.iter().map(|(_, value)| value.unwrap_or(1.0)).collect()
     }
 
     /// The coordinates of the state: q, or x without a configuration.

@@ -1,5 +1,6 @@
 //! The motion by the full system (2.8): no complement, no elimination, only dense algebra.
 
+use super::declaration::Level;
 use super::number::Scaled;
 use super::system::{Dynamics, Rows, System};
 use nalgebra::{DMatrix, DVector};
@@ -36,7 +37,7 @@ type Partial = Option<(DMatrix<Scaled>, DVector<Scaled>)>;
 impl System<'_> {
     /// The motion at x, v.
     pub fn motion(&self, t: f64, x: &[f64], v: &[f64]) -> Motion {
-        solve(&self.dynamics(t, x, v), &self.rows(t, x, v), &None)
+        solve(&self.dynamics(t, x, v), &self.rows(t, x, v), &None, self.model.gives_velocities)
     }
 
     /// The motion at the state's coordinates and their rates, where x = g(q, t) holds beside the rows.
@@ -45,11 +46,13 @@ impl System<'_> {
     pub fn configured_motion(&self, t: f64, q: &[f64], qdot: &[f64]) -> Motion {
         let x = self.coordinates(t, q);
         let v = self.velocities_of(t, q, qdot);
-        solve(&self.dynamics(t, &x, &v), &self.rows(t, &x, &v), &Some(self.partial_velocities(t, q, qdot)))
+        let partial = Some(self.partial_velocities(t, q, qdot));
+        solve(&self.dynamics(t, &x, &v), &self.rows(t, &x, &v), &partial, self.model.gives_velocities)
     }
 }
 
-fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial) -> Motion {
+/// `given`: the state's speeds satisfy every velocity row, nonlinear ones as well.
+fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial, given: bool) -> Motion {
     let (n, m) = (dynamics.h.len(), rows.c0.len());
     let p = partial.as_ref().map_or(0, |(d, _)| d.ncols());
     let links = if partial.is_some() { n } else { 0 };
@@ -78,8 +81,11 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial) -> Motion {
 
     // equilibrated: unit diagonal of M, partial velocities of unit size, rows of unit norm
     let mut scale = DVector::from_element(n + p, 1.0);
+    // what has no inertia counts as the heaviest that has
+    let heaviest = (0..n).map(|i| dynamics.m[(i, i)].value).fold(0.0, f64::max);
     for i in 0..n {
-        scale[i] = 1.0 / dynamics.m[(i, i)].value.sqrt();
+        let own = dynamics.m[(i, i)].value;
+        scale[i] = 1.0 / (if own > 0.0 { own } else { heaviest }).sqrt();
     }
     for j in 0..p {
         let column: f64 = (0..n).map(|i| (row(m + i, n + j).value / scale[i]).powi(2)).sum();
@@ -107,7 +113,8 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial) -> Motion {
 
     let constraint = matrix.view((n + p, 0), (m + links, n + p)).into_owned();
     let (rank, _) = conditioned_rank(&constraint);
-    let binding: Vec<usize> = (0..m + links).filter(|&i| i >= m || rows.linear[i]).collect();
+    let by_the_state = |i: usize| rows.linear[i] || (given && rows.levels[i] == Level::Velocity);
+    let binding: Vec<usize> = (0..m + links).filter(|&i| i >= m || by_the_state(i)).collect();
     let (velocity_rank, _) = conditioned_rank(&constraint.select_rows(&binding));
     let (solution, condition) = solve_dense(&matrix, &vector, rank == m + links);
     let error = UNIT * condition * (matrix_size.norm() * solution.norm() + vector_size.norm()) / matrix.norm();

@@ -22,6 +22,7 @@ pub fn read(model: &mut Declaration, name: &str, attribute: &Attribute) -> Resul
         "constraint" => model.constraints.push(attribute.parse_args_with(constraint)?),
         "configuration" => model.configuration = Some(configuration(list()?)?),
         "independent" => model.independent = list()?,
+        "velocities" => model.gives_velocities = true,
         "complement" => {
             for (name, row) in assignments(list()?)? {
                 let Expr::Array(row) = row else {
