@@ -49,7 +49,7 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
         Ok(-(lambda.along_x * W * s.y - lambda.along_y * W * s.x))
     };
     for i in 0..=steps {
-        let t = dt * f64::from(i);
+        let t = (dt * f64::from(i)).min(5.0 * period);
         let s = run.at(t)?;
         let (sin, cos) = (around * t).sin_cos();
         let exact =

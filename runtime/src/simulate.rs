@@ -310,7 +310,10 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
     /// every sample.
     ///
     /// ```
-    /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/oscillator.rs")); }
+    /// # mod models {
+    /// #     include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs"));
+    /// #     include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/oscillator.rs"));
+    /// # }
     /// # use models::{Oscillator, OscillatorInputs, OscillatorState};
     /// use holonomy::prelude::*;
     ///

@@ -10,7 +10,7 @@
 
 use super::claim::Claim;
 use super::condition::{chart_condition, least_norm, null_space};
-use super::kkt::{Motion, UNIT, conditioned_rank};
+use super::kkt::{Motion, UNIT, conditioned_rank, roots};
 use super::number::{Number, Scaled};
 use super::report::Report;
 use super::system::{Dynamics, Rows, System};
@@ -231,7 +231,7 @@ impl Compared<'_> {
             return;
         }
         // the rank is judged for rows and speeds at their own scales, the norm is that of λ as declared
-        let root = self.dynamics.m.map(|e| e.value).diagonal().map(f64::sqrt);
+        let root = roots(&self.dynamics.m.map(|e| e.value));
         let scaled = DMatrix::from_fn(rows.nrows(), rows.ncols(), |i, j| rows[(i, j)] / root[j]);
         let inverse = least_norm(&scaled);
         // refinement stays in the space of the least norm

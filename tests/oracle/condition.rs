@@ -1,7 +1,7 @@
 //! How much a chart amplifies rounding, and what a matrix sends to zero.
 
 use super::claim::Claim;
-use super::kkt::{RANK, conditioned_rank};
+use super::kkt::{RANK, conditioned_rank, roots};
 use super::system::{Dynamics, Rows, System};
 use nalgebra::{DMatrix, DVector};
 
@@ -43,7 +43,7 @@ pub fn least_norm(c: &DMatrix<f64>) -> DMatrix<f64> {
 /// the rows that bind v linearly.
 pub fn chart_condition(system: &System<'_>, claim: &Claim, dynamics: &Dynamics, rows: &Rows) -> f64 {
     let n = system.model.n();
-    let root = dynamics.m.map(|e| e.value).diagonal().map(f64::sqrt);
+    let root = roots(&dynamics.m.map(|e| e.value));
     let entries = rows.c.iter().fold(1.0_f64, |size, e| size.max(e.value.abs()));
     let growth = claim.guards.iter().fold(1.0_f64, |growth, guard| growth.max(entries / guard.abs()));
     let d = DMatrix::from_fn(claim.complement.nrows(), n, |i, j| claim.complement[(i, j)] * root[j]);

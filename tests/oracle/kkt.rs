@@ -81,12 +81,7 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial, given: bool) -> Mo
 
     // equilibrated: unit diagonal of M, partial velocities of unit size, rows of unit norm
     let mut scale = DVector::from_element(n + p, 1.0);
-    // what has no inertia counts as the heaviest that has
-    let heaviest = (0..n).map(|i| dynamics.m[(i, i)].value).fold(0.0, f64::max);
-    for i in 0..n {
-        let own = dynamics.m[(i, i)].value;
-        scale[i] = 1.0 / (if own > 0.0 { own } else { heaviest }).sqrt();
-    }
+    roots(&dynamics.m.map(|e| e.value)).iter().enumerate().for_each(|(i, root)| scale[i] = 1.0 / root);
     for j in 0..p {
         let column: f64 = (0..n).map(|i| (row(m + i, n + j).value / scale[i]).powi(2)).sum();
         scale[n + j] = 1.0 / column.sqrt().max(f64::MIN_POSITIVE);
@@ -157,6 +152,13 @@ fn solve_dense(matrix: &DMatrix<f64>, vector: &DVector<f64>, regular: bool) -> (
         solution += correction;
     }
     (solution, condition)
+}
+
+/// √M_ii; what has no inertia counts as the heaviest that has.
+pub fn roots(inertia: &DMatrix<f64>) -> DVector<f64> {
+    let diagonal = inertia.diagonal();
+    let heaviest = diagonal.iter().copied().fold(0.0, f64::max);
+    diagonal.map(|own| (if own > 0.0 { own } else { heaviest }).sqrt())
 }
 
 /// The rank of a matrix and the condition of what it keeps.

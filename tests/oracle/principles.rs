@@ -1,7 +1,7 @@
 //! What holds for every motion whatever the model is: Gauss' principle, the power of the reactions, any complement gives the motion.
 
 use super::check::Compared;
-use super::kkt::{RANK, UNIT, conditioned_rank};
+use super::kkt::{RANK, UNIT, conditioned_rank, roots};
 use super::number::{Number, Scaled};
 use super::report::Report;
 use super::system::lift;
@@ -15,7 +15,7 @@ impl Compared<'_> {
         let w = DMatrix::from_fn(k, k, |i, j| f64::from(u8::from(i == j)) + 0.4 * ((3 * i + 5 * j + 1) as f64).sin());
         let d = w * &claim.complement;
         let (dm, dh) = (&d * &claim.inertia, &d * DVector::from_column_slice(&claim.forces));
-        let root = claim.inertia.diagonal().map(f64::sqrt);
+        let root = roots(&claim.inertia);
         let entry =
             |i: usize, j: usize| (if i < m { claim.constraint_matrix[(i, j)] } else { dm[(i - m, j)] }) / root[j];
         let matrix = DMatrix::from_fn(m + k, n, entry);
@@ -43,6 +43,10 @@ impl Compared<'_> {
     pub(super) fn gauss(&self, report: &mut Report) {
         let claim = self.claim;
         let h = DVector::from_column_slice(&claim.forces);
+        // massless speeds have no metric of their own
+        if (0..claim.inertia.nrows()).any(|i| claim.inertia[(i, i)] == 0.0) {
+            return;
+        }
         let Some(m) = claim.inertia.clone().cholesky() else { return report.fact("M is positive definite", false) };
         let free = m.solve(&h);
         let compulsion = |rates: &DVector<f64>| {

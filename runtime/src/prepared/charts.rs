@@ -58,7 +58,10 @@ impl<M: ConstrainedSystem, T: Scalar> Prepared<M, T> {
     /// v of the carriers w; of `s` the coordinates are read.
     ///
     /// ```
-    /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/mod.rs")); }
+    /// # mod models {
+    /// #     include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs"));
+    /// #     include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/swing.rs"));
+    /// # }
     /// # use models::{Swing, SwingState};
     /// use holonomy::prelude::*;
     ///

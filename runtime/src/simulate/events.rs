@@ -20,7 +20,10 @@ const FINEST: f64 = 0.25 * f64::EPSILON;
 /// zero. What touches zero and turns back within an eighth of a step is not seen: shorten the steps by `max_step`.
 ///
 /// ```
-/// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/oscillator.rs")); }
+/// # mod models {
+/// #     include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs"));
+/// #     include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/oscillator.rs"));
+/// # }
 /// # use models::{Oscillator, OscillatorInputs, OscillatorState};
 /// use holonomy::prelude::*;
 /// use holonomy::simulate::Event;
