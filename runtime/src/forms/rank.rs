@@ -13,7 +13,7 @@ const PART: f64 = 1e-6;
 
 impl InitialEquations {
     /// The smallest singular value of C relative to the largest, rows scaled to one size; [`Error::Dependent`] if it counts as
-    /// zero ([`RANK_THRESHOLD`](super::RANK_THRESHOLD)).
+    /// zero ([`RANK_THRESHOLD`]).
     ///
     /// ```
     /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
