@@ -147,7 +147,7 @@ fn forms_of_statements() {
         ),
         (r#"potential_energy(a, b)"#, &["1:23 `b`: expected one expression, found another after the comma"]),
         (r#"complement(w1 = 3)"#, &["1:14 `w1 = 3`: expected `w1 = [e1, .., en]`"]),
-        (r#"complement(w1 [3])"#, &["1:14 `w1 [3]`: expected `w1 = [e1, .., en]`"]),
+        (r#"complement(w1 [3])"#, &["1:14 `w1`: expected `w1 = [e1, .., en]`"]),
         (
             r#"independent(v1 + v2, dot(v), 3)"#,
             &[
