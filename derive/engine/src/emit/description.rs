@@ -51,7 +51,8 @@ impl Collector<'_> {
 impl Texts {
     /// All equations of the model.
     pub fn new(e: &Equations) -> Self {
-        let roots: Vec<Expr> = crate::program::entry::entries(e).iter().flat_map(|entry| entry.roots()).collect();
+        let mut roots: Vec<Expr> = crate::program::entry::entries(e).iter().flat_map(|entry| entry.roots()).collect();
+        roots.extend(e.chart_speeds.iter().flatten().filter(|_| e.combined));
         let texts = roots.iter().copied().zip(e.graph.display_all(&roots)).collect();
         let mut c = Collector { equations: e, texts, lines: Vec::new() };
         let configured = e.state_coordinates != e.coordinates;
@@ -66,6 +67,10 @@ impl Texts {
         c.list("forcing", "h_u*", number("(4.10)", "(5.6)"), &e.forcing);
         if configured {
             c.each("coordinates", "(4.2)", names(&e.coordinates), &e.initial_coordinates);
+        }
+        if e.combined {
+            // What the names of combinations stand for.
+            c.each("chart_0_speeds", "(5.2)", names(&e.state_speeds), &e.chart_speeds[0]);
         }
         c.each("velocities", number("(4.4)", "(5.3)"), names(&e.speeds), &e.velocities);
         c.matrix("complement", "D", number("(4.9)", "(3.1)"), &e.complement);

@@ -67,7 +67,7 @@ pub fn given(
     let bias = bias.into_iter().map(|e| simplifier.one(graph, e)).collect();
     let gradients = Matrix::from_rows(carried.iter().map(|row| row.gradient.clone()).collect(), width);
     let rows = carried.iter().map(|row| row.row).collect();
-    Some(Tangent { speeds, complement, map, bias, rows, gradients, elimination: None, pivots, note: None })
+    Some(Tangent { speeds, complement, map, bias, rows, gradients, elimination: None, readings: None, pivots, note: None })
 }
 
 /// A particular solution of C v_p = -η, and what it divides by: with the pivots of C where they need no new guard, else

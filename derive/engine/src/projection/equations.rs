@@ -127,6 +127,8 @@ pub struct Equations {
     pub charts: Vec<ChartEquations>,
     /// u of every chart, the first included, as functions of v and the state's coordinates.
     pub chart_speeds: Vec<Vec<Expr>>,
+    /// Whether some speeds of the state are combinations of the carriers.
+    pub combined: bool,
     /// w, the carriers of the motion: v without a configuration, with one the rates of its coordinates.
     pub carriers: Vec<Symbol>,
     /// v as functions of w and the state's coordinates.

@@ -1,5 +1,7 @@
 //! Every sentence that the projection can say to a user, in one place.
 
+use crate::symbolic::{Expr, Graph};
+
 /// Two kinds of rows say different things about the same velocities.
 pub(crate) fn contradictory(name: &str, combination: &str) -> String {
     format!(
@@ -86,14 +88,32 @@ pub(crate) fn chart_twice(of_the_state: bool) -> String {
     format!("{which} names the same speeds; a further chart must choose others")
 }
 
-/// An independent speed is named twice.
-pub(crate) fn independent_twice(name: &str) -> String {
-    format!("the independent speed `{name}` is named twice")
+/// [C; L] is singular.
+pub(crate) fn combinations_not_independent(name: &str, combination: &str) -> String {
+    if name.is_empty() {
+        return "these speeds are not independent of each other and of the constraints; choose others".to_owned();
+    }
+    format!(
+        "these speeds are not independent of each other and of the constraints: the speeds enter `{name}` as they enter \
+         {combination}; choose others"
+    )
 }
 
-/// An entry of `independent` is no speed.
-pub(crate) fn not_a_speed(speeds: &[&str]) -> String {
-    format!("an independent speed must be one of {}; for other combinations give `complement`", list(speeds))
+/// `2*a - cos(theta)*b` over names.
+pub(crate) fn combination(graph: &Graph, parts: &[(&str, Expr)]) -> String {
+    if parts.is_empty() {
+        return "0".to_owned();
+    }
+    let terms = parts.iter().map(|(name, c)| {
+        let name = format!("`{name}`");
+        match graph.display(*c).as_str() {
+            "1" => name,
+            "-1" => format!("-{name}"),
+            text if text.contains(' ') => format!("({text})*{name}"),
+            text => format!("{text}*{name}"),
+        }
+    });
+    terms.collect::<Vec<_>>().join(" + ")
 }
 
 /// k is not n - m.

@@ -8,6 +8,7 @@
 //! | [`elimination`] | C_d⁻¹ by Gauss-Jordan on the arena, pivots chosen and recorded |
 //! | [`carriers`] | partial velocities of a configuration (4.9), and the rows that still bind |
 //! | [`tangent`] | the basis D and the bias a_u, by pivots |
+//! | [`combined`] | the same for speeds that are combinations of the carriers |
 //! | [`chart`] | a choice of independent speeds, and the motion in terms of them |
 //! | [`back`] | carriers and independent speeds from v |
 //! | [`complement`] | the basis D as the user gives it |
@@ -27,6 +28,7 @@ pub mod acceleration;
 pub mod back;
 pub mod carriers;
 pub mod chart;
+pub mod combined;
 pub mod complement;
 pub mod constraints;
 pub mod dependence;

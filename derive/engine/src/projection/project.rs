@@ -120,6 +120,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         parameter_guards: guards.parameters,
         charts: further.equations,
         chart_speeds,
+        combined: tangent.readings.is_some(),
         carriers: carriers.speeds,
         carried_velocities,
         carried_rates,
