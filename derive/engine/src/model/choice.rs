@@ -104,7 +104,9 @@ fn list(
                 Some(speed) => Ok(IndependentSpeed { place, ..speed.clone() }),
                 None => continue,
             },
-            (Some(Quantity::Name(_)), Some(Meaning::Speed(i))) => rates.plain(rates.speeds[i], &written, place, vocabulary),
+            (Some(Quantity::Name(_)), Some(Meaning::Speed(i))) => {
+                rates.plain(rates.speeds[i], &written, place, vocabulary)
+            }
             (Some(Quantity::Name(_)), Some(Meaning::Quasi(i))) => {
                 let quasi = vocabulary.graph.var(vocabulary.quasi[i]);
                 rates.plain(quasi, &written, place, vocabulary)

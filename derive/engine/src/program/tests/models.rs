@@ -117,6 +117,7 @@ pub fn reduce(given: Given) -> Equations {
         multiplier_rows,
         charts: Vec::new(),
         chart_speeds,
+        combined: false,
         carriers: v.clone(),
         carried_velocities: all_v.clone(),
         carried_rates: rates_v.clone(),
