@@ -135,11 +135,12 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
         quote!(#krate::MultiplierInfo { name: #name, row: #row })
     });
     let guards: Vec<TokenStream> = e.guards.iter().map(|g| guard(target, g)).collect();
-    let first = chart(target, u, &guards);
-    let charts = e.charts.iter().map(|further| {
+    let pivot = |at: usize| e.relative_pivots.get(at).copied().flatten();
+    let first = chart(target, u, &guards, pivot(0));
+    let charts = e.charts.iter().enumerate().map(|(at, further)| {
         let speeds: Vec<&str> = further.speeds.iter().map(|s| e.graph.name(*s)).collect();
         let guards: Vec<TokenStream> = further.guards.iter().map(|g| guard(target, g)).collect();
-        chart(target, &speeds, &guards)
+        chart(target, &speeds, &guards, pivot(at + 1))
     });
     let carriers = &known.carriers;
     let parameter_guards = programs.values.guards.iter().map(|g| guard(target, g));
@@ -212,10 +213,22 @@ pub fn bare(target: &Target, types: &Types) -> TokenStream {
     }
 }
 
-fn chart<S: AsRef<str>>(target: &Target, speeds: &[S], guards: &[TokenStream]) -> TokenStream {
+fn chart<S: AsRef<str>>(target: &Target, speeds: &[S], guards: &[TokenStream], pivot: Option<f64>) -> TokenStream {
     let krate = &target.krate;
     let speeds = speeds.iter().map(AsRef::as_ref);
-    quote!(#krate::ChartInfo { speeds: &[#(#speeds),*], guards: &[#(#guards),*] })
+    let pivot = figure(pivot);
+    quote!(#krate::ChartInfo { speeds: &[#(#speeds),*], guards: &[#(#guards),*], relative_pivot: #pivot })
+}
+
+/// A number that may not be known.
+fn figure(value: Option<f64>) -> TokenStream {
+    match value {
+        Some(value) => {
+            let (sign, size) = ((value < 0.0).then(|| quote!(-)), Literal::f64_unsuffixed(value.abs()));
+            quote!(::core::option::Option::Some(#sign #size))
+        }
+        None => quote!(::core::option::Option::None),
+    }
 }
 
 fn guard(target: &Target, guard: &Guard) -> TokenStream {
@@ -225,7 +238,16 @@ fn guard(target: &Target, guard: &Guard) -> TokenStream {
         GuardKind::Pivot => quote!(Pivot),
         GuardKind::Positive => quote!(Positive),
     };
-    quote!(#krate::GuardInfo { name: #name, kind: #krate::GuardKind::#kind, origin: #origin, rows: &[#(#rows),*] })
+    let start = figure(guard.start);
+    quote! {
+        #krate::GuardInfo {
+            name: #name,
+            kind: #krate::GuardKind::#kind,
+            origin: #origin,
+            rows: &[#(#rows),*],
+            start: #start,
+        }
+    }
 }
 
 fn cost(target: &Target, function: &str, count: &Count) -> TokenStream {

@@ -173,4 +173,6 @@ pub struct Places {
     pub inertia: Span,
     /// `complement`
     pub complement: Span,
+    /// `start`
+    pub start: Span,
 }

@@ -8,6 +8,7 @@ use super::Simplifier;
 use super::carriers::{CarriedRow, Carriers};
 use super::constraints::DifferentiatedRow;
 use super::elimination::{Choice, Elimination, Stuck, eliminate};
+use super::guards::readable;
 use super::messages;
 use super::tangent::Tangent;
 use crate::model::{Independent, InitialSystem};
@@ -73,7 +74,9 @@ pub fn combined(
         let value = graph.neg(value);
         rates[*column] = simplifier.one(graph, value);
     }
-    let note = note(graph, carriers, &elimination, choice);
+    let mut names: Vec<String> = carried.iter().map(|row| rows[kept[row.row]].name.clone()).collect();
+    names.extend(speeds.iter().map(|speed| graph.name(*speed).to_owned()));
+    let note = note(graph, carriers, &elimination, &names, choice);
     Some(Tangent {
         speeds,
         complement,
@@ -123,15 +126,22 @@ fn dependent(
 }
 
 /// The choice, told to a person.
-fn note(graph: &Graph, carriers: &Carriers, elimination: &Elimination, choice: &Independent) -> String {
+fn note(
+    graph: &Graph,
+    carriers: &Carriers,
+    elimination: &Elimination,
+    rows: &[String],
+    choice: &Independent,
+) -> String {
     let speeds = choice.speeds.iter().map(|speed| match carriers.speeds.contains(&speed.symbol) {
         true => graph.name(speed.symbol).to_owned(),
         false => format!("{} = {}", graph.name(speed.symbol), graph.display(speed.expr)),
     });
-    let pivots = elimination.pivots.iter().zip(&elimination.values);
-    let pivots = pivots.filter(|(column, _)| !choice.speeds.iter().any(|s| s.symbol == carriers.speeds[**column]));
-    let pivots =
-        pivots.map(|(column, value)| format!("{} ({})", graph.name(carriers.speeds[*column]), graph.display(*value)));
+    let pivots = elimination.pivots.iter().zip(&elimination.values).zip(elimination.pivot_names(rows));
+    let pivots = pivots.filter(|((column, _), _)| !choice.speeds.iter().any(|s| s.symbol == carriers.speeds[**column]));
+    let pivots = pivots.map(|((column, value), called)| {
+        format!("{} ({})", graph.name(carriers.speeds[*column]), readable(graph, *value, &called))
+    });
     format!(
         "independent speeds {}, named by the model; the speeds that follow from them and the constraints, with their \
          pivots: {}",

@@ -14,6 +14,7 @@
 //! | [`complement`] | the basis D as the user gives it |
 //! | [`acceleration`] | the rows that bind only the rates of the state's speeds |
 //! | [`given`] | the basis D from v = g(u, x, t) (5.8), (5.9) |
+//! | [`start`] | the start that the model names, closed |
 //! | [`judge`] | the choice of speeds at the start that the model names |
 //! | [`dynamics`] | M_d and h_u* (4.10), (5.6) |
 //! | [`motion`] | the rates u̇ of the state's speeds |
@@ -44,6 +45,7 @@ pub(crate) mod messages;
 pub mod motion;
 pub mod project;
 pub mod reactions;
+pub mod start;
 pub mod tangent;
 #[cfg(test)]
 mod tests;

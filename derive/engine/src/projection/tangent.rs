@@ -8,6 +8,7 @@ use super::combined::combined;
 use super::complement;
 use super::constraints::DifferentiatedRow;
 use super::elimination::{Choice, Elimination, Stuck, eliminate};
+use super::guards::readable;
 use super::messages;
 use super::{Simplifier, given};
 use crate::model::{Independent, IndependentSpeed, InitialSystem};
@@ -38,6 +39,21 @@ pub struct Tangent {
     pub pivots: Vec<Expr>,
     /// The choice, told to a person.
     pub note: Option<String>,
+}
+
+impl Tangent {
+    /// What each of the pivots is, over the names of the rows that bind the carriers.
+    pub fn pivot_names(&self, graph: &Graph, rows: &[String]) -> Vec<String> {
+        let mut names = rows.to_vec();
+        match &self.elimination {
+            Some(elimination) => {
+                let speeds = self.speeds.iter().filter(|_| self.readings.is_some());
+                names.extend(speeds.map(|speed| graph.name(*speed).to_owned()));
+                elimination.pivot_names(&names)
+            }
+            None => (0..self.pivots.len()).map(|_| format!("pivot of C C\u{1d40} of {}", names.join(", "))).collect(),
+        }
+    }
 }
 
 /// The tangent basis among the carriers: the user's complement, or by elimination to the speeds of a chart.
@@ -126,7 +142,8 @@ pub fn tangent(
         let value = graph.neg(value);
         dependent[*pivot] = simplifier.one(graph, value);
     }
-    let note = note(graph, carriers, &elimination, &speeds, by_user);
+    let names: Vec<String> = carried.iter().map(|row| rows[kept[row.row]].name.clone()).collect();
+    let note = note(graph, carriers, &elimination, &names, &speeds, by_user);
     let pivots = elimination.values.clone();
     let rows = carried.iter().map(|row| row.row).collect();
     let elimination = Some(elimination);
@@ -140,7 +157,14 @@ fn columns(choice: &Independent, carriers: &Carriers) -> Option<Vec<usize>> {
     choice.speeds.iter().map(place).collect()
 }
 
-fn note(graph: &Graph, carriers: &Carriers, e: &Elimination, speeds: &[Symbol], by_user: bool) -> Option<String> {
+fn note(
+    graph: &Graph,
+    carriers: &Carriers,
+    e: &Elimination,
+    rows: &[String],
+    speeds: &[Symbol],
+    by_user: bool,
+) -> Option<String> {
     if e.pivots.is_empty() {
         return None;
     }
@@ -150,7 +174,10 @@ fn note(graph: &Graph, carriers: &Carriers, e: &Elimination, speeds: &[Symbol], 
         .pivots
         .iter()
         .zip(&e.values)
-        .map(|(j, value)| format!("{} ({})", graph.name(carriers.speeds[*j]), graph.display(*value)))
+        .zip(e.pivot_names(rows))
+        .map(|((j, value), called)| {
+            format!("{} ({})", graph.name(carriers.speeds[*j]), readable(graph, *value, &called))
+        })
         .collect();
     Some(format!(
         "independent speeds {}, {who}; dependent speeds with their pivots: {}",
