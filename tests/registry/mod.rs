@@ -10,6 +10,8 @@ pub use models::*;
 
 #[path = "../models/bodies.rs"]
 pub mod bodies;
+#[path = "../models/combined.rs"]
+pub mod combined;
 #[path = "../models/linkages.rs"]
 pub mod linkages;
 #[path = "../models/spherical.rs"]
@@ -55,6 +57,11 @@ macro_rules! every_model {
                 HeavyTop(m, g, j1, j2, j3, l)
                 Flyball(g, k, cd, l0, m_rod, l_rod, w_rod, off, m_ball, m_slider, b_slider)
                 TriplePendulum(m, l, g);
+            "tests/models/combined.rs" combined:
+                DiscByRates(m, r, g, d, a)
+                SphericalByTurning(m, l, g)
+                PacedBlade(m, i, g, tilt, drift, pace)
+                SwungParticle(m, g, l, k, w);
             "tests/models/energies.rs" energies:
                 SleighByEnergy(m, i, a)
                 RollingDiskByEnergy(m, r, j, g)

@@ -60,6 +60,9 @@ impl Start {
         rows: &[DifferentiatedRow],
         carriers: &Carriers,
     ) -> Result<(), Vec<(usize, f64)>> {
+        if system.start.is_empty() {
+            return Ok(());
+        }
         // Nothing of this enters the equations: all new expressions stay in a copy.
         let mut graph = system.graph.clone();
         let (places, residuals): (Vec<usize>, Vec<Expr>) =
