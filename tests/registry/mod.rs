@@ -57,11 +57,6 @@ macro_rules! every_model {
                 HeavyTop(m, g, j1, j2, j3, l)
                 Flyball(g, k, cd, l0, m_rod, l_rod, w_rod, off, m_ball, m_slider, b_slider)
                 TriplePendulum(m, l, g);
-            "tests/models/combined.rs" combined:
-                DiscByRates(m, r, g, d, a)
-                SphericalByTurning(m, l, g)
-                PacedBlade(m, i, g, tilt, drift, pace)
-                SwungParticle(m, g, l, k, w);
             "tests/models/energies.rs" energies:
                 SleighByEnergy(m, i, a)
                 RollingDiskByEnergy(m, r, j, g)
@@ -131,6 +126,11 @@ macro_rules! every_model {
                 RollingDisk(m, r, j, g)
                 FloorDisk(m, r, j, g)
                 StagedDisk(m, r, j, g);
+            "tests/models/combined.rs" combined:
+                DiscByRates(m, r, g, d, a)
+                SphericalByTurning(m, l, g)
+                PacedBlade(m, i, g, tilt, drift, pace)
+                SwungParticle(m, g, l, k, w);
         }
     };
 }
