@@ -25,6 +25,10 @@ pub struct Motion {
     pub speeds: usize,
     /// Condition of the equilibrated matrix of (2.8).
     pub condition: f64,
+    /// q̈ of a configuration's coordinates.
+    pub generalised: DVector<f64>,
+    /// Error bound of each q̈.
+    pub generalised_error: DVector<f64>,
     /// Error bound of each v̇.
     pub acceleration_error: DVector<f64>,
     /// Error bound of each entry of the reaction.
@@ -123,6 +127,8 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial, given: bool) -> Mo
         freedom: n + p - rank,
         speeds: n + p - velocity_rank,
         condition,
+        generalised: DVector::from_fn(p, |i, _| solution[n + i] * scale[n + i]),
+        generalised_error: DVector::from_fn(p, |i, _| error * scale[n + i]),
         acceleration_error: DVector::from_fn(n, |i, _| error * scale[i]),
         reaction_error: DVector::from_fn(n, |i, _| error / scale[i]),
         acceleration,

@@ -24,6 +24,8 @@ pub(super) enum Meaning {
     Quasi(usize),
     /// An independent speed from `velocities(of(..))`.
     Free(usize),
+    /// A combination of speeds from `independent(s = ..)`, counted through all lists.
+    Combination(usize),
     Input(usize),
     Define(usize),
     /// A function of the user's.
@@ -42,6 +44,7 @@ impl Meaning {
             Meaning::Speed(_) => "a speed",
             Meaning::Quasi(_) => "a speed of `configuration`",
             Meaning::Free(_) => "a speed of `velocities`",
+            Meaning::Combination(_) => "a combination of speeds in `independent`",
             Meaning::Input(_) => "an input",
             Meaning::Define(_) => "a define",
             Meaning::Function(_) => "a function",
@@ -82,6 +85,9 @@ impl Names {
         for (i, name) in declarations.velocities.iter().flat_map(|v| &v.further).enumerate() {
             enter(&name.ident, Meaning::Free(i));
         }
+        for (i, (name, _)) in declarations.independent.iter().flat_map(|list| list.combinations()).enumerate() {
+            enter(&name.ident, Meaning::Combination(i));
+        }
         for (i, name) in declarations.inputs.iter().enumerate() {
             enter(&name.ident, Meaning::Input(i));
         }
@@ -114,7 +120,7 @@ impl Names {
     }
 
     /// The coordinate of which this is the name of the rate in emitted code.
-    fn rate_of<'a>(&self, name: &'a str) -> Option<&'a str> {
+    pub fn rate_of<'a>(&self, name: &'a str) -> Option<&'a str> {
         let of = name.strip_prefix("dot_")?;
         matches!(self.table.get(of), Some(Meaning::Coordinate(_) | Meaning::Further(_))).then_some(of)
     }
@@ -159,6 +165,7 @@ impl Mentions {
     pub const FURTHER_RATES: Self = Mentions(256);
     pub const QUASI: Self = Mentions(512);
     pub const FREE: Self = Mentions(1024);
+    pub const COMBINATIONS: Self = Mentions(2048);
 
     pub const fn and(self, other: Mentions) -> Mentions {
         Mentions(self.0 | other.0)
@@ -178,6 +185,7 @@ impl Mentions {
         [
             (Self::INPUTS, "an input"),
             (Self::ACCELERATIONS, "an acceleration"),
+            (Self::COMBINATIONS, "a combination of speeds in `independent`"),
             (Self::FREE, "a speed of `velocities`"),
             (Self::QUASI, "a speed of `configuration`"),
             (Self::FURTHER_RATES, "a rate"),

@@ -103,7 +103,7 @@ fn disk() -> Disk {
         velocities: None,
         independent: vec![],
         complement: None,
-        places: Places { model: here, kinematics: here, inertia: here, complement: here },
+        places: Places { model: here, kinematics: here, inertia: here, complement: here, start: here },
         start: vec![],
         nominal: vec![],
     };

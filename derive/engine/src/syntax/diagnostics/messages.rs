@@ -222,6 +222,8 @@ pub(crate) const RULE_QUASI_RATES: &str =
     "a rate is given by parameters, coordinates, `t` and speeds of `configuration` here";
 pub(crate) const RULE_VELOCITIES: &str =
     "`velocities` gives a speed by parameters, coordinates, `t`, the remaining speeds and those in `of(..)`";
+pub(crate) const RULE_COMBINATION: &str =
+    "an independent speed is given by parameters, coordinates, `t`, speeds and rates such as `dot(x)`";
 pub(crate) const RULE_COMPLEMENT: &str = "the entries of D may depend on parameters, coordinates and `t` only";
 pub(crate) const RULE_NUMBER: &str = "this is a value for judging, which is made of numbers and `PI` only";
 
@@ -348,6 +350,10 @@ messages! {
         "`{name}` is {what}; expected a speed or the rate of a coordinate, such as `v1` or `dot(x)`";
     independent_twice(name) =
         "`{name}` stands in the list twice";
+    combination_not_linear(name, variable, derivative) =
+        "`{name}` must be linear in the speeds, but the coefficient of `{variable}` here is `{derivative}`";
+    combination_without_speed(name) =
+        "`{name}` depends on no speed: all its coefficients vanish";
     independent_and_complement() =
         "`complement` names the independent speeds already; leave out one of the two";
     complement_twice(name) =
