@@ -70,6 +70,10 @@ pub struct Claim {
     pub kinetic_energy: f64,
     /// V.
     pub potential_energy: Option<f64>,
+    /// Outputs by name.
+    pub outputs: Vec<(String, f64)>,
+    /// The same from the carriers, their rates and λ, where the claim tells these.
+    pub carried_outputs: Option<Vec<f64>>,
 }
 
 impl Claim {
