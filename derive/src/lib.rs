@@ -60,6 +60,7 @@ use proc_macro::TokenStream;
 /// | `complement(u1 = [..], ..)` | D (3.1) by rows, each with the name of its speed; D Cᵀ ≡ 0 is decided |
 /// | `potential_energy(V)` | V(x, t), for `energy`; its forces are added only beside `kinetic_energy`, else they stand in `forces` |
 /// | `define(mu = ..)` | names for intermediate quantities |
+/// | `output(power = .., mu)` | quantities that the model gives out at run time, in a namespace of their own: what is known of a state may stand in them, accelerations `dot(v)`, `reaction(name)` and outputs above included; `mu` alone gives a define out under its name |
 /// | `inputs(tau)` | inputs, given at every call |
 /// | `size(n = 20)` | names for integers, used by families |
 /// | `function(road(s), derivatives = [droad, ddroad])` | a function from f64 to f64 in scope, by its path, with its derivatives |
@@ -189,8 +190,8 @@ use proc_macro::TokenStream;
 /// # What it emits
 ///
 /// An implementation of `holonomy::ConstrainedSystem` and the structs that it names: `PendulumState`,
-/// `PendulumVelocities`, `PendulumMultipliers`, `PendulumParameters`, `PendulumValues`, and `PendulumInputs` where there
-/// are inputs. A model that makes no sense does not compile, and the errors stand at the tokens at fault, all at once.
+/// `PendulumVelocities`, `PendulumMultipliers`, `PendulumParameters`, `PendulumValues`, and `PendulumInputs` and
+/// `PendulumOutputs` where there are inputs and outputs. A model that makes no sense does not compile, and the errors stand at the tokens at fault, all at once.
 #[proc_macro_derive(
     ConstrainedSystem,
     attributes(
@@ -208,13 +209,13 @@ use proc_macro::TokenStream;
         complement,
         inputs,
         define,
+        output,
         start,
         size,
         function,
         holonomy,
         unit,
         nominal,
-        output,
         frame,
         point,
         particle,

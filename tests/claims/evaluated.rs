@@ -167,8 +167,30 @@ impl Evaluated<'_> {
         };
         let along = self.of_state(&e.velocities, Dual::moving(t, 1.0), &moving(q, &rates), &moving(u, &accelerations));
         let multipliers = state(&e.multipliers).into_iter().zip(&e.multiplier_names).zip(&e.multiplier_rows);
-        let multipliers =
+        let outputs = e.outputs.names.iter().cloned().zip(state(&e.outputs.values)).collect();
+        // q̈ along the motion
+        let second =
+            self.of_state(&e.coordinate_rates, Dual::moving(t, 1.0), &moving(q, &rates), &moving(u, &accelerations));
+        let multipliers: Vec<Multiplier> =
             multipliers.map(|((value, name), &row)| Multiplier { name: name.clone(), value, row }).collect();
+        let given_rates = state(&e.velocity_rates);
+        let known = |symbol: &Symbol| -> Option<(f64, f64)> {
+            let place = |symbols: &[Symbol]| symbols.iter().position(|other| other == symbol);
+            let of_coordinate = |x: &Symbol| format!("dot_{}", e.graph.name(*x)) == e.graph.name(*symbol);
+            place(&e.speeds)
+                .map(|i| (velocities[i], given_rates[i]))
+                .or(e.state_coordinates.iter().position(of_coordinate).map(|i| (rates[i], second[i].rate)))
+                .or(place(&e.state_speeds).map(|i| (u[i], accelerations[i])))
+        };
+        let carriers: Option<Vec<(f64, f64)>> = e.carriers.iter().map(known).collect();
+        let carried_outputs = carriers.map(|carriers| {
+            let (w, dw): (Vec<f64>, Vec<f64>) = carriers.into_iter().unzip();
+            let mut algebra = self.values(t, [(&e.state_speeds, u), (&e.state_coordinates, q)]);
+            algebra.0.extend(e.carriers.iter().copied().zip(w));
+            algebra.0.extend(e.outputs.carrier_rates.iter().copied().zip(dw));
+            algebra.0.extend(e.outputs.reactions.iter().map(|(symbol, at)| (*symbol, multipliers[*at].value)));
+            e.graph.evaluate_in(&e.outputs.carried, &mut algebra)
+        });
         Claim {
             t,
             state_coordinates: q.to_vec(),
@@ -177,7 +199,7 @@ impl Evaluated<'_> {
             coordinate_rates: rates,
             accelerations,
             velocity_rates: along.iter().map(|v| v.rate).collect(),
-            given_rates: state(&e.velocity_rates),
+            given_rates,
             mass_matrix: matrix(&e.mass_matrix, state(e.mass_matrix.entries())),
             forcing: state(&e.forcing),
             complement: matrix(&e.complement, state(e.complement.entries())),
@@ -196,6 +218,8 @@ impl Evaluated<'_> {
             kinetic_energy: initial(&[e.kinetic_energy])[0],
             potential_energy: e.potential_energy.map(|potential| initial(&[potential])[0]),
             charts: (0..e.chart_speeds.len()).map(|chart| self.in_chart(chart, t, q, u, &velocities)).collect(),
+            outputs,
+            carried_outputs,
             coordinates,
             velocities,
         }

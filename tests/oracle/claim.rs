@@ -87,6 +87,10 @@ pub struct Claim {
     pub potential_energy: Option<f64>,
     /// The same state in every chart, the state's own first.
     pub charts: Vec<ChartClaim>,
+    /// Outputs by name.
+    pub outputs: Vec<(String, f64)>,
+    /// The same from the carriers, their rates and λ, where the claim tells these.
+    pub carried_outputs: Option<Vec<f64>>,
 }
 
 impl Claim {

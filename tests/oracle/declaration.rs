@@ -86,6 +86,8 @@ pub struct Declaration {
     pub gives_velocities: bool,
     /// Rows of D, each with the name of its speed.
     pub complement: Vec<(String, Vec<Expr>)>,
+    /// Outputs in the order of their declaration.
+    pub outputs: Vec<(String, Expr)>,
     /// Named intermediates.
     pub definitions: BTreeMap<String, Expr>,
     /// Start values.

@@ -23,6 +23,7 @@ mod kkt;
 mod lagrange;
 mod linear;
 mod number;
+mod outputs;
 mod principles;
 mod reader;
 mod report;

@@ -32,6 +32,10 @@ pub fn read(model: &mut Declaration, name: &str, attribute: &Attribute) -> Resul
             }
         }
         "define" => model.definitions.extend(assignments(list()?)?),
+        "output" => {
+            let outputs = attribute.parse_args_with(Punctuated::<Output, Token![,]>::parse_terminated)?;
+            model.outputs.extend(outputs.into_iter().map(|output| (output.0, output.1)));
+        }
         "start" => {
             let start = assignments(list()?)?;
             model.start.extend(start.into_iter().map(|(name, value)| (name, number(&value))));
@@ -91,6 +95,25 @@ fn names(attribute: &Attribute) -> Result<Vec<String>> {
     }
     let names = attribute.parse_args_with(Punctuated::<Documented, Token![,]>::parse_terminated)?;
     Ok(names.into_iter().map(|n| n.0.to_string()).collect())
+}
+
+/// `power = ..` or `mu`, with doc comments before it.
+struct Output(String, Expr);
+
+impl Parse for Output {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        Attribute::parse_outer(input)?;
+        let name: Ident = input.parse()?;
+        match input.parse::<Option<Token![=]>>()? {
+            Some(_) => Ok(Self(name.to_string(), input.parse()?)),
+            None => Ok(Self(name.to_string(), Expr::parse.parse_str(&name.to_string())?)),
+        }
+    }
+}
+
+/// `reaction(rod)` as the name of the constraint.
+pub fn reaction_of(e: &Expr) -> Option<String> {
+    plain(argument(e, "reaction")?)
 }
 
 fn assignment(e: Expr) -> Result<(Expr, Expr)> {

@@ -31,6 +31,8 @@ pub fn target(declarations: &Declarations, equations: Option<&Equations>) -> Tar
         generics: declarations.generics.clone(),
         parameters,
         declared,
+        outputs: declarations.outputs.iter().map(|output| entry(&output.name.ident, &output.name.docs)).collect(),
+        defines: declarations.defines.iter().map(|define| define.name.to_string()).collect(),
         functions: declarations.functions.iter().map(|f| f.orders.clone()).collect(),
         krate: declarations.options.krate.clone(),
     }
@@ -89,6 +91,7 @@ pub fn known(declarations: &Declarations) -> Known {
         velocities,
         multipliers: declarations.constraints.iter().map(|constraint| constraint.name.to_string()).collect(),
         inputs: text(&declarations.inputs),
+        outputs: declarations.outputs.iter().map(|output| output.name.ident.to_string()).collect(),
         parameters: scalars.map(|field| field.ident.to_string()).collect(),
         guards: 0,
         reduced: 0,

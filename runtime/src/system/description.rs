@@ -31,6 +31,10 @@ pub struct Description {
     pub parameters: &'static [&'static str],
     /// The inputs.
     pub inputs: &'static [&'static str],
+    /// The outputs.
+    pub outputs: &'static [OutputInfo],
+    /// The names of the defines. They have values at run time where they are outputs.
+    pub defines: &'static [&'static str],
     /// The rows of C.
     pub rows: &'static [RowInfo],
     /// The rows of f.
@@ -82,7 +86,7 @@ pub struct RowInfo {
     pub redundant: bool,
 }
 
-/// The level at which a constraint binds.
+/// The level at which a constraint binds, or an output depends on the motion.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Level {
     /// f(x, t) = 0.
@@ -100,6 +104,43 @@ pub struct MultiplierInfo {
     pub name: &'static str,
     /// The row of C that carries it; merged rows carry several names.
     pub row: Option<usize>,
+}
+
+/// One output.
+///
+/// ```
+/// # #[cfg(feature = "derive")] {
+/// use holonomy::{ConstrainedSystem, Level};
+///
+/// #[derive(ConstrainedSystem, Clone)]
+/// #[coordinates(x, y)]
+/// #[inertia(diag(m, m))]
+/// #[forces(0, -m*g)]
+/// #[constraint(slope: y == x/2)]
+/// #[constraint(drive: dot(x) == a*t)]
+/// #[output(height = y, ratio = reaction(drive)/reaction(slope), steepness = dot(y)/dot(x))]
+/// struct Lift {
+///     m: f64,
+///     g: f64,
+///     a: f64,
+/// }
+///
+/// let [height, ratio, steepness] = Lift::MODEL.outputs else { panic!("three outputs") };
+/// assert_eq!((height.level, ratio.level), (Level::Position, Level::Acceleration));
+/// assert!(!ratio.inputs && steepness.divisors.is_empty());
+/// # }
+/// ```
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct OutputInfo {
+    /// Its name.
+    pub name: &'static str,
+    /// What it depends on: coordinates and time alone, velocities too, or accelerations and reactions.
+    pub level: Level,
+    /// Whether it depends on inputs.
+    pub inputs: bool,
+    /// What it divides by, other than guards and figures that cannot vanish. Where one of them is zero the output is not
+    /// finite; a run does not stop there.
+    pub divisors: &'static [&'static str],
 }
 
 /// A figure that tells whether a state, or a set of parameters, is a regular one.

@@ -37,6 +37,8 @@ impl ConstrainedSystem for Bead {
         velocities: &["dot_x", "dot_y"],
         parameters: &["m", "w", "g"],
         inputs: &[],
+        outputs: &[],
+        defines: &[],
         rows: &[RowInfo { name: "rod", level: Level::Position, linear: true, redundant: false }],
         position_rows: &["rod", "again"],
         multipliers: &[
@@ -73,6 +75,7 @@ impl ConstrainedSystem for Bead {
     type Velocities<T: Scalar> = BeadVelocities<T>;
     type Multipliers<T: Scalar> = BeadMultipliers<T>;
     type Inputs<T: Scalar> = [T; 0];
+    type Outputs<T: Scalar> = [T; 0];
     type Coordinates<T: Scalar> = [T; 2];
     type Speeds<T: Scalar> = [T; 1];
     type Reduced<T: Scalar> = [T; 1];

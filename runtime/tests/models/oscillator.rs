@@ -35,6 +35,8 @@ impl ConstrainedSystem for Oscillator {
         velocities: &["dot_x"],
         parameters: &["m", "a", "k", "c", "b"],
         inputs: &["tau"],
+        outputs: &[],
+        defines: &[],
         rows: &[],
         position_rows: &[],
         multipliers: &[],
@@ -73,6 +75,7 @@ impl ConstrainedSystem for Oscillator {
     type Velocities<T: Scalar> = OscillatorVelocities<T>;
     type Multipliers<T: Scalar> = [T; 0];
     type Inputs<T: Scalar> = OscillatorInputs<T>;
+    type Outputs<T: Scalar> = [T; 0];
     type Coordinates<T: Scalar> = [T; 1];
     type Speeds<T: Scalar> = [T; 1];
     type Reduced<T: Scalar> = [T; 1];

@@ -60,6 +60,8 @@ impl ConstrainedSystem for Pendulum {
         velocities: &["dot_x", "dot_y"],
         parameters: &["m", "l", "g"],
         inputs: &[],
+        outputs: &[],
+        defines: &[],
         rows: &[RowInfo { name: "rod", level: Level::Position, linear: true, redundant: false }],
         position_rows: &["rod"],
         multipliers: &[MultiplierInfo { name: "rod", row: Some(0) }],
@@ -111,6 +113,7 @@ impl ConstrainedSystem for Pendulum {
     type Velocities<T: Scalar> = PendulumVelocities<T>;
     type Multipliers<T: Scalar> = PendulumMultipliers<T>;
     type Inputs<T: Scalar> = [T; 0];
+    type Outputs<T: Scalar> = [T; 0];
     type Coordinates<T: Scalar> = [T; 2];
     type Speeds<T: Scalar> = [T; 1];
     type Reduced<T: Scalar> = [T; 1];

@@ -46,6 +46,7 @@ impl ConstrainedSystem for Swing {
     type Velocities<T: Scalar> = PendulumVelocities<T>;
     type Multipliers<T: Scalar> = PendulumMultipliers<T>;
     type Inputs<T: Scalar> = [T; 0];
+    type Outputs<T: Scalar> = [T; 0];
     type Coordinates<T: Scalar> = [T; 2];
     type Speeds<T: Scalar> = [T; 1];
     type Reduced<T: Scalar> = [T; 1];

@@ -3,7 +3,7 @@
 use super::shape::Types;
 use super::target::Target;
 use crate::program::{Count, Programs};
-use crate::projection::{Equations, Guard, GuardKind, Level};
+use crate::projection::{Equations, Guard, GuardKind, Level, OutputFacts};
 use crate::symbolic::{Expr, Matrix};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -91,6 +91,7 @@ impl Texts {
         c.each("kinetic_energy", "", vec!["T".to_owned()], &[e.kinetic_energy]);
         let potential: Vec<Expr> = e.potential_energy.into_iter().collect();
         c.each("potential_energy", "", vec!["V".to_owned()], &potential);
+        c.each("outputs", "", e.outputs.names.clone(), &e.outputs.values);
         Texts { lines: c.lines }
     }
 
@@ -113,11 +114,7 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
     let (q, u) = known.state.split_at(known.state_coordinates);
     let (x, v, parameters, inputs) = (&known.coordinates, &known.velocities, &known.parameters, &known.inputs);
     let rows = e.rows.iter().map(|row| {
-        let level = match row.level {
-            Level::Position => quote!(Position),
-            Level::Velocity => quote!(Velocity),
-            Level::Acceleration => quote!(Acceleration),
-        };
+        let level = level(row.level);
         let (name, linear, redundant) = (&row.name, row.linear, row.redundant);
         quote! {
             #krate::RowInfo { name: #name, level: #krate::Level::#level, linear: #linear, redundant: #redundant }
@@ -155,6 +152,8 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
         .map(|p| (p.entry.name.as_str(), &p.count))
         .chain([("values", &programs.values.count)]);
     let costs = costs.map(|(name, count)| cost(target, name, count));
+    let outputs = e.outputs.names.iter().zip(e.output_facts()).map(|(name, facts)| output(target, name, &facts));
+    let defines = &target.defines;
     let positions = &e.position_names;
     let notes = &e.notes;
     let name = target.ident.to_string();
@@ -168,6 +167,8 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
             velocities: &[#(#v),*],
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
+            outputs: &[#(#outputs),*],
+            defines: &[#(#defines),*],
             rows: &[#(#rows),*],
             position_rows: &[#(#positions),*],
             multipliers: &[#(#multipliers),*],
@@ -179,6 +180,22 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
             equations: &[#(#lines),*],
             operations: &[#(#costs),*],
         }
+    }
+}
+
+fn level(level: Level) -> TokenStream {
+    match level {
+        Level::Position => quote!(Position),
+        Level::Velocity => quote!(Velocity),
+        Level::Acceleration => quote!(Acceleration),
+    }
+}
+
+fn output(target: &Target, name: &str, facts: &OutputFacts) -> TokenStream {
+    let krate = &target.krate;
+    let (level, inputs, divisors) = (level(facts.level), facts.inputs, &facts.divisors);
+    quote! {
+        #krate::OutputInfo { name: #name, level: #krate::Level::#level, inputs: #inputs, divisors: &[#(#divisors),*] }
     }
 }
 
@@ -199,6 +216,8 @@ pub fn bare(target: &Target, types: &Types) -> TokenStream {
             velocities: &[#(#v),*],
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
+            outputs: &[],
+            defines: &[],
             rows: &[],
             position_rows: &[],
             multipliers: &[],

@@ -44,6 +44,8 @@ pub struct InitialSystem {
     pub velocities: Option<Velocities>,
     /// D of (3.1) by rows, where the model gives it.
     pub complement: Option<Vec<ComplementRow>>,
+    /// What the model tells besides its motion.
+    pub outputs: Outputs,
     /// Where statements about the whole begin, for errors.
     pub places: Places,
     /// Numbers for judging, from `start`: coordinates and speeds.
@@ -158,6 +160,45 @@ pub struct ComplementRow {
     /// The entries: n, one for each v; where there is a configuration, one for each q̇.
     pub entries: Vec<Expr>,
     /// The name's place.
+    pub span: Span,
+}
+
+/// The outputs with the symbols that only they mention.
+#[derive(Clone, Debug, Default)]
+pub struct Outputs {
+    /// The outputs in order.
+    pub entries: Vec<Output>,
+    /// v̇.
+    pub accelerations: Vec<Symbol>,
+    /// The rates of the configuration's further coordinates.
+    pub further_rates: Vec<Symbol>,
+    /// Their second rates.
+    pub further_accelerations: Vec<Symbol>,
+    /// The rates of the configuration's quasi-velocities.
+    pub quasi_rates: Vec<Symbol>,
+    /// The reactions that some output mentions.
+    pub reactions: Vec<Reaction>,
+}
+
+/// An output.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Its name.
+    pub name: String,
+    /// The name's place.
+    pub span: Span,
+    /// What it is, over x, v, v̇, inputs, t and the symbols of [`Outputs`].
+    pub expr: Expr,
+}
+
+/// A reaction that is mentioned.
+#[derive(Clone, Debug)]
+pub struct Reaction {
+    /// The constraint's name.
+    pub name: String,
+    /// What stands for its multiplier.
+    pub symbol: Symbol,
+    /// Where it is mentioned first.
     pub span: Span,
 }
 

@@ -1,5 +1,6 @@
 //! The result of the projection: every quantity of the paper as expressions.
 
+use super::outputs::Outputs;
 use crate::symbolic::{Expr, Graph, Matrix, Symbol};
 
 /// What a run must watch about a guard.
@@ -161,6 +162,9 @@ pub struct Equations {
     /// V, where the model gives it.
     pub potential_energy: Option<Expr>,
 
+    /// What the model tells besides its motion.
+    pub outputs: Outputs,
+
     /// The rows of C.
     pub rows: Vec<RowFacts>,
     /// Names of the position rows.
@@ -188,7 +192,9 @@ impl Equations {
     /// Every expression of the result.
     pub fn roots(&self) -> Vec<Expr> {
         let mut equations = self.clone();
-        equations.groups().into_iter().flatten().map(|e| *e).collect()
+        let mut roots: Vec<Expr> = equations.groups().into_iter().flatten().map(|e| *e).collect();
+        roots.extend(self.outputs.values.iter().chain(&self.outputs.carried));
+        roots
     }
 
     /// The functions of the state that a run needs, guards apart. Where rows bind accelerations alone, M_d, h_u* and D are
@@ -213,7 +219,8 @@ impl Equations {
         roots
     }
 
-    /// The expressions in groups that are computed together, to be replaced by cheaper ones in place.
+    /// The expressions in groups that are computed together, to be replaced by cheaper ones in place. Outputs are not among
+    /// them: they are made of these.
     pub fn groups(&mut self) -> Vec<Vec<&mut Expr>> {
         let guards = self.guards.iter_mut().map(|g| &mut g.expr);
         let mut groups = vec![

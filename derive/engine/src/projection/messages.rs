@@ -198,6 +198,20 @@ pub(crate) fn division_by_zero_arises() -> String {
         .to_owned()
 }
 
+/// 1/0 in an output, once the state is put in.
+pub(crate) fn output_divides_by_zero(name: &str) -> String {
+    format!("the output `{name}` divides by zero in every state: a divisor vanishes where the constraints hold")
+}
+
+/// A merged row has no multiplier of its own.
+pub(crate) fn reaction_shared(name: &str, carriers: &[String]) -> String {
+    let names: Vec<&str> = carriers.iter().map(String::as_str).collect();
+    format!(
+        "constraint `{name}` has no reaction of its own: its derivative is a combination of {}, which carry it; mention theirs",
+        list(&names)
+    )
+}
+
 /// M_d is singular, whatever the parameters.
 pub(crate) fn singular_inertia(speed: &str) -> String {
     format!(

@@ -20,6 +20,7 @@
 //! | [`motion`] | the rates u̇ of the state's speeds |
 //! | [`factorisation`] | L D Lᵀ along the zero pattern |
 //! | [`reactions`] | λ for all rows in the initial space |
+//! | [`mod@outputs`] | what the model tells besides its motion |
 //! | [`guards`] | every quantity by which the result divides |
 //! | [`mod@project`] | the steps in order |
 //! | [`equations`] | the result |
@@ -43,6 +44,7 @@ pub mod judge;
 pub mod lagrange;
 pub(crate) mod messages;
 pub mod motion;
+pub mod outputs;
 pub mod project;
 pub mod reactions;
 pub mod start;
@@ -51,6 +53,7 @@ pub mod tangent;
 mod tests;
 
 pub use equations::{ChartEquations, Equations, Guard, GuardKind, Level, RowFacts};
+pub use outputs::{OutputFacts, Outputs};
 pub use project::{TANGENT_PIVOT, project};
 
 use crate::symbolic::{Expr, Graph};

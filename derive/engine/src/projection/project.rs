@@ -9,6 +9,7 @@ use super::dependence::{self, Sorted, check_redundant, sort};
 use super::dynamics::to_state;
 use super::equations::Equations;
 use super::judge::{figure, judge, relative_pivot};
+use super::outputs::{bind, outputs};
 use super::reactions::{Motion, rates as rates_of, reactions, shared};
 use super::tangent::tangent;
 use super::{Simplifier, constraints::DifferentiatedRow, lagrange, messages};
@@ -73,7 +74,9 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         let called = format!("pivot of C C\u{1d40} of {}", names.join(", "));
         guards.positive(&mut system.graph, *pivot, &called, origin, &names).ok();
     }
-    errors.result(())?;
+    if !errors.is_empty() {
+        return Err(errors);
+    }
     let on_motions = |graph: &mut Graph, e: Expr| to_state(graph, &carriers, &tangent, &[e])[0];
     let (multipliers, weights) = shared(&mut system.graph, simplifier, &sorted, reactions.multipliers, on_motions);
     let origin = "the redundant rows have no finite share of it where it vanishes";
@@ -82,6 +85,11 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     let names = name_multipliers(&mut system, &rows, &sorted, &multipliers);
     let x = system.graph.vars(&system.coordinates);
     let initial_coordinates = to_state(&mut system.graph, &carriers, &tangent, &x);
+    let values = system.graph.vars(&carriers.speeds);
+    let values = system.graph.substitute(&values, &tangent.map);
+    let of = |name: &str| names.carried_by(name);
+    let outputs = outputs(&mut system, &carriers, &values, &coordinate_rates, &names.names, &of, &mut errors);
+    errors.result(())?;
     let w = carriers_of_velocities(&mut system, simplifier, &carriers);
     let mut chart_speeds = Vec::new();
     for tangent in std::iter::once(&tangent).chain(&further.tangents) {
@@ -114,7 +122,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     notes.extend(further.notes);
     notes.extend(second_stage);
     notes.extend(names.notes);
-    Ok(Equations {
+    let mut equations = Equations {
         time: system.time,
         state_coordinates: carriers.coordinates.clone(),
         state_speeds: tangent.speeds.clone(),
@@ -148,6 +156,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         velocity_residual: all.iter().filter_map(|i| rows[*i].velocity).collect(),
         kinetic_energy,
         potential_energy: system.potential,
+        outputs,
         rows: all.iter().map(|i| rows[*i].facts(!sorted.kept.contains(i))).collect(),
         position_names: positions.iter().map(|row| row.name.clone()).collect(),
         multiplier_names: names.names,
@@ -158,7 +167,9 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         coordinates: system.coordinates,
         speeds: system.speeds,
         graph: system.graph,
-    })
+    };
+    bind(&mut equations);
+    Ok(equations)
 }
 
 /// f(g(q, t)) ≡ 0 for the position rows that the configuration is to satisfy. Those that it leaves to a second stage are
@@ -207,11 +218,20 @@ fn kinetic_energy(system: &mut InitialSystem) -> Expr {
 }
 
 /// The multipliers under the names of their constraints, in the order of declaration.
+#[derive(Default)]
 struct NamedMultipliers {
     names: Vec<String>,
     rows: Vec<Option<usize>>,
     multipliers: Vec<Expr>,
     notes: Vec<String>,
+    /// The rows that carry the derivative of a merged row which has no multiplier.
+    shared: Vec<(String, Vec<String>)>,
+}
+
+impl NamedMultipliers {
+    fn carried_by(&self, name: &str) -> Vec<String> {
+        self.shared.iter().find(|(row, _)| row == name).map_or(Vec::new(), |(_, carriers)| carriers.clone())
+    }
 }
 
 /// A merged position row that repeats one velocity row shares its reaction: C_f = s C_φ, so λ_f = λ_φ / s.
@@ -223,7 +243,7 @@ fn name_multipliers(
 ) -> NamedMultipliers {
     let graph = &mut system.graph;
     let all = sorted.rows();
-    let mut named = NamedMultipliers { names: vec![], rows: vec![], multipliers: vec![], notes: vec![] };
+    let mut named = NamedMultipliers::default();
     for (i, row) in rows.iter().enumerate() {
         if let Some(position) = all.iter().position(|j| *j == i) {
             named.names.push(row.name.clone());
@@ -240,6 +260,9 @@ fn name_multipliers(
                 named.rows.push(None);
                 named.multipliers.push(graph.div(multipliers[position], *s));
                 note.push_str("; both names give the one reaction");
+            } else {
+                let carriers = carriers.iter().map(|name| (*name).to_owned()).collect();
+                named.shared.push((row.name.clone(), carriers));
             }
             named.notes.push(note);
         }

@@ -103,6 +103,7 @@ fn disk() -> Disk {
         velocities: None,
         independent: vec![],
         complement: None,
+        outputs: crate::model::Outputs::default(),
         places: Places { model: here, kinematics: here, inertia: here, complement: here, start: here },
         start: vec![],
         nominal: vec![],

@@ -31,6 +31,8 @@ pub struct Declarations {
     pub inputs: Vec<Name>,
     /// `#[define(..)]`, in order of appearance (which has no meaning).
     pub defines: Vec<Define>,
+    /// `#[output(..)]`, in order.
+    pub outputs: Vec<Output>,
     /// `#[function(..)]`, in order.
     pub functions: Vec<UserFunction>,
     /// `#[kinematics(..)]`, (2.1) or (2.2) or both.
@@ -170,6 +172,15 @@ pub struct UserFunction {
 
 /// `#[define(mu = ..)]`
 pub type Define = Assignment;
+
+/// `#[output(power = ..)]`, or `#[output(mu)]` for what the model calls so already.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Its name, with the doc comment before it.
+    pub name: Name,
+    /// What it is.
+    pub value: Expression,
+}
 
 /// A list of expressions.
 #[derive(Clone, Debug)]

@@ -83,6 +83,12 @@ impl Entry {
         }
     }
 
+    /// The doc comments before the entry, and the entry without them.
+    pub fn documented(&self, diagnostics: &mut Diagnostics) -> (Vec<String>, Entry) {
+        let (docs, rest) = self.docs(diagnostics);
+        (docs, Entry { tokens: rest.to_vec(), end: self.end })
+    }
+
     /// Cuts off leading doc comments, which reach a derive as `#[doc = ".."]`.
     fn docs(&self, diagnostics: &mut Diagnostics) -> (Vec<String>, &[TokenTree]) {
         let mut docs = Vec::new();

@@ -189,6 +189,7 @@ pub fn disk_stage() -> Equations {
         velocity_residual: Vec::new(),
         kinetic_energy: zero,
         potential_energy: None,
+        outputs: crate::projection::Outputs::default(),
         rows: Vec::new(),
         position_names: Vec::new(),
         multiplier_names: Vec::new(),

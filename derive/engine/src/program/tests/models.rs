@@ -118,6 +118,7 @@ pub fn reduce(given: Given) -> Equations {
         velocity_residual,
         kinetic_energy,
         potential_energy: None,
+        outputs: crate::projection::Outputs::default(),
         rows: given.names.iter().map(|name| row(name)).collect(),
         position_names: given.names.iter().take(0).cloned().collect(),
         multiplier_names: given.names,

@@ -200,6 +200,16 @@ messages! {
         "the define `{name}` contains {contains}, but {rule}";
     cycle(names) =
         "the define is needed for its own value: {names}";
+    output_twice(name) =
+        "there is an output `{name}` already";
+    output_later(name) =
+        "the output `{name}` is not known yet: an output may mention those above it";
+    output_out_of_place(name) =
+        "`{name}` is an output, which only other outputs may mention; name it by `define` to use it elsewhere";
+    reaction_of_no_constraint(name, constraints) =
+        "there is no constraint `{name}`: {constraints}";
+    reaction_of_expression() =
+        "`reaction` takes the name of a constraint";
 }
 
 /// What may occur where, as the second half of a sentence.
@@ -253,6 +263,8 @@ messages! {
         "`dot` with two arguments is the scalar product of vectors, which is not supported yet";
     acceleration(function, name) =
         "`{function}({name})` is an acceleration, which only `constraint` can bind";
+    rate_of_free(name) =
+        "the rate of `{name}` has no name: it is a speed of `velocities`; take the rates of the speeds that it gives";
     rate_of_rate() =
         "the rate of a rate is written `ddot(x)`, with the name of a coordinate";
     second_rate_of_speed(name) =
