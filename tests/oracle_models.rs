@@ -121,6 +121,28 @@ fn every_model_agrees_with_the_oracle() {
     every_model!(check_all);
 }
 
+/// The check of charts can fail: every number of a chart, off by a part in a million, is found.
+#[test]
+fn wrong_charts_are_found() {
+    let all = declared("tests/models/combined.rs");
+    let declared = all.iter().find(|d| d.name == "SphericalByTurning").expect("the model is there");
+    let build = |p: &[f64]| registry::combined::SphericalByTurning { m: p[0], l: p[1], g: p[2] };
+    let (system, model, (t, q, u)) = drawn(declared, &build, &mut SplitMix::new(12));
+    let right = claim(&model, t, &q, &u, &[]);
+    assert!(check(&system, &right).failures.is_empty());
+    let off = |value: &mut f64| *value += 1e-6 * value.abs().max(1.0);
+    for chart in 0..2 {
+        for part in 0..4 {
+            let mut wrong = right.clone();
+            let chart = &mut wrong.charts[chart];
+            let values =
+                [&mut chart.speeds, &mut chart.velocities, &mut chart.coordinate_rates, &mut chart.accelerations];
+            off(&mut values.into_iter().nth(part).expect("four parts")[0]);
+            assert!(!check(&system, &wrong).failures.is_empty(), "part {part}");
+        }
+    }
+}
+
 macro_rules! names {
     ($($file:literal $module:ident: $($model:ident($($field:ident),*))*;)*) => {
         BTreeSet::from([$($(($file.to_string(), stringify!($model).to_string())),*),*])

@@ -54,7 +54,7 @@ use proc_macro::TokenStream;
 /// | `constraint(name: left == right, redundant)` | the same, where it may depend on other rows: if it does and says nothing else, it stays in C, and the reactions of all rows are those of least norm |
 /// | `configuration(z = 0, x = ..)` | x = g(q, t) (4.2): the named coordinates as functions of the others; `of(alpha)` introduces further q |
 /// | `independent(v6, dot(phi))` | the independent speeds u, in this order; else the cheapest pivots choose; given several times, the first names the state's speeds and each further one is a chart that is regular elsewhere |
-/// | `independent(s = v1 + 2*v2, ..)` | the same with combinations of speeds and rates, linear in them, u = L v + l0, under new names: factors may depend on coordinates, parameters and `t`; another list may name `s` alone |
+/// | `independent(s = v1 + 2*v2, ..)` | the same with combinations of speeds and rates, linear in them, u = L v + l0, under new names: factors may depend on coordinates, parameters and `t`; another list may name `s` alone, and outputs may mention it |
 /// | `configuration(.., speeds(u), dot(alpha) = ..)` or `(.., speeds(u), u = ..)` | quasi-velocities u of the configuration, q̇ = Ã u + ã0 (4.3) or its inverse, as in `kinematics` |
 /// | `velocities(of(u), v1 = .., v2 = ..)` | v = g(u, x, t) (5.8): the named speeds (with a configuration its rates or speeds) as functions of the others and of the further ones in `of(..)`; every row must hold by it, which is decided |
 /// | `complement(u1 = [..], ..)` | D (3.1) by rows, each with the name of its speed; D Cᵀ ≡ 0 is decided |

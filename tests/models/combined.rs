@@ -24,6 +24,7 @@ use holonomy::ConstrainedSystem;
     /// about the line from the contact to the centre
     w3 = across,
 )]
+#[output(rim = r*w2, heading = w3*cos(yaw) - w1*sin(yaw))]
 pub struct DiscByRates {
     #[nominal(2.0)]
     pub m: f64,

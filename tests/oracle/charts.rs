@@ -130,7 +130,7 @@ impl Compared<'_> {
     fn carried_error(&self) -> DVector<f64> {
         match self.system.model.configuration {
             None => self.acceleration_error(),
-            Some(_) => &self.motion.generalised_error * self.chart.powi(2),
+            Some(_) => &self.motion.second_rate_errors * self.chart.powi(2),
         }
     }
 
@@ -181,7 +181,7 @@ impl Compared<'_> {
         let gradient = DMatrix::from_fn(list.len(), w.len(), |i, j| columns[j][i].rate.value);
         let rates_of_carriers = match system.model.configuration {
             None => lift(self.motion.acceleration.as_slice()),
-            Some(_) => lift(self.motion.generalised.as_slice()),
+            Some(_) => lift(self.motion.second_rates.as_slice()),
         };
         let moving = along(&q, &lift(&claim.coordinate_rates));
         let rates = system.listed(list, Dual::moving(t, Scaled::one()), &moving, &along(&w, &rates_of_carriers));

@@ -27,10 +27,8 @@ pub struct Motion {
     pub speeds: usize,
     /// Condition of the equilibrated matrix of (2.8).
     pub condition: f64,
-    /// q̈ of a configuration's coordinates.
-    pub generalised: DVector<f64>,
     /// Error bound of each q̈.
-    pub generalised_error: DVector<f64>,
+    pub second_rate_errors: DVector<f64>,
     /// Error bound of each v̇.
     pub acceleration_error: DVector<f64>,
     /// Error bound of each entry of the reaction.
@@ -130,8 +128,7 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial, given: bool) -> Mo
         freedom: n + p - rank,
         speeds: n + p - velocity_rank,
         condition,
-        generalised: DVector::from_fn(p, |i, _| solution[n + i] * scale[n + i]),
-        generalised_error: DVector::from_fn(p, |i, _| error * scale[n + i]),
+        second_rate_errors: DVector::from_fn(p, |i, _| error * scale[n + i]),
         acceleration_error: DVector::from_fn(n, |i, _| error * scale[i]),
         reaction_error: DVector::from_fn(n, |i, _| error / scale[i]),
         acceleration,

@@ -105,7 +105,8 @@ impl Builder {
             }
             let mut others = [&speeds[..i], bound].concat();
             others.truncate(1 + self.writer.random.below(2));
-            let driven = self.writer.random.once_in(3);
+            // never the speed alone, which would be no other chart
+            let driven = others.is_empty() || self.writer.random.once_in(3);
             list.push(format!("s{} = {}", i + 1, self.writer.rolling(speed, &others, names, driven, false)));
         }
         list.join(", ")

@@ -30,14 +30,21 @@ pub(super) fn independent(
         .collect()
 }
 
-/// What `s = ..` stands for in each of the lists, over the carriers; `None` where something was reported.
+/// Lowers what `s = ..` stands for in each of the lists, rates and coordinates as written.
+pub(super) fn lower(configured: bool, vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnostics) {
+    let context = if configured { Context::COMBINATION_OF_RATES } else { Context::COMBINATION };
+    let declarations = vocabulary.declarations;
+    let written = declarations.independent.iter().flat_map(|list| list.combinations());
+    vocabulary.combined = written.map(|(_, value)| vocabulary.lower(value, context, diagnostics)).collect();
+}
+
+/// The combinations of all lists over the carriers; `None` where something was reported.
 fn combinations(
     rates: &Rates,
     configuration: Option<&Configuration>,
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Option<IndependentSpeed>> {
-    let context = if configuration.is_some() { Context::COMBINATION_OF_RATES } else { Context::COMBINATION };
     // Speeds and rates become those of the carriers, and x becomes g(q, t).
     let mut adapt = configuration.map_or(Vec::new(), |given| coordinate_map(given, vocabulary));
     adapt.extend(vocabulary.speeds.iter().copied().zip(rates.speeds.iter().copied()));
@@ -46,13 +53,12 @@ fn combinations(
     }
     adapt.extend(vocabulary.further_rates.iter().copied().zip(rates.further.iter().copied()));
     let declarations = vocabulary.declarations;
+    let written = declarations.independent.iter().flat_map(|list| list.combinations()).enumerate();
     let mut found = Vec::new();
-    for (at, (name, value)) in declarations.independent.iter().flat_map(|list| list.combinations()).enumerate() {
-        let lowered = vocabulary.lower(value, context, diagnostics);
-        found.push(lowered.and_then(|lowered| {
+    for (at, (name, value)) in written {
+        found.push(vocabulary.combined.get(at).copied().flatten().and_then(|lowered| {
             let expr = vocabulary.graph.substitute(&[lowered.expr], &adapt)[0];
-            let read = reading(&mut vocabulary.graph, expr, &rates.carriers);
-            let message = match read {
+            let message = match reading(&mut vocabulary.graph, expr, &rates.carriers) {
                 Ok((gradient, _)) if gradient.iter().all(|entry| vocabulary.graph.vanishes(*entry)) => {
                     messages::combination_without_speed(&name.ident)
                 }

@@ -75,7 +75,8 @@ impl Context {
             .and(Mentions::ACCELERATIONS)
             .and(Mentions::FURTHER_ACCELERATIONS)
             .and(Mentions::REACTIONS)
-            .and(Mentions::OUTPUTS),
+            .and(Mentions::OUTPUTS)
+            .and(Mentions::COMBINATIONS),
         rule: "",
     };
     pub const NUMBER: Context = Context { allowed: Mentions::NONE, rule: messages::RULE_NUMBER };
@@ -88,6 +89,6 @@ impl Context {
             .and(Mentions::ACCELERATIONS)
             .and(Mentions::REACTIONS)
             .and(Mentions::INPUTS),
-        rule: "",
+        rule: messages::RULE_DEFINE,
     };
 }

@@ -43,6 +43,8 @@ pub(super) struct Vocabulary<'a> {
     pub free: Vec<Symbol>,
     /// The combinations of speeds of `independent(s = ..)`, through all lists.
     pub combinations: Vec<Symbol>,
+    /// What they stand for, as written; empty before they are lowered, `None` where that failed.
+    pub combined: Vec<Option<Lowered>>,
     /// The second rates of `further`; empty before the outputs are built.
     pub further_accelerations: Vec<Symbol>,
     /// The rates of the quasi-velocities; empty before the outputs are built.
@@ -114,6 +116,7 @@ impl<'a> Vocabulary<'a> {
             quasi,
             free,
             combinations,
+            combined: Vec::new(),
             further_accelerations: Vec::new(),
             quasi_rates: Vec::new(),
             inputs,
@@ -262,6 +265,10 @@ impl<'a> Vocabulary<'a> {
             Meaning::Speed(i) => (self.speeds[i], Mentions::SPEEDS),
             Meaning::Quasi(i) => (self.quasi[i], Mentions::QUASI),
             Meaning::Free(i) => (self.free[i], Mentions::FREE),
+            // In an output it is what it stands for.
+            Meaning::Combination(i) if context.allowed.intersects(Mentions::COMBINATIONS) => {
+                return self.combined.get(i).copied().flatten();
+            }
             Meaning::Combination(i) => (self.combinations[i], Mentions::COMBINATIONS),
             Meaning::Input(i) => (self.inputs[i], Mentions::INPUTS),
             Meaning::Time => (self.time, Mentions::TIME),

@@ -232,6 +232,8 @@ pub(crate) const RULE_QUASI_RATES: &str =
     "a rate is given by parameters, coordinates, `t` and speeds of `configuration` here";
 pub(crate) const RULE_VELOCITIES: &str =
     "`velocities` gives a speed by parameters, coordinates, `t`, the remaining speeds and those in `of(..)`";
+pub(crate) const RULE_DEFINE: &str =
+    "a define is made of parameters, coordinates, speeds and rates of the model, accelerations, inputs and `t`";
 pub(crate) const RULE_COMBINATION: &str =
     "an independent speed is given by parameters, coordinates, `t`, speeds and rates such as `dot(x)`";
 pub(crate) const RULE_COMPLEMENT: &str = "the entries of D may depend on parameters, coordinates and `t` only";
