@@ -109,6 +109,7 @@ pub fn tangent(
         let value = graph.neg(value);
         dependent[*pivot] = simplifier.one(graph, value);
     }
+    simplifier.settle(graph, &dependent);
     let note = note(graph, carriers, &elimination, &speeds, by_user);
     let pivots = elimination.values.clone();
     let rows = carried.iter().map(|row| row.row).collect();
