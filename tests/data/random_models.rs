@@ -2392,7 +2392,7 @@ pub struct Random109 {
     0,
 )]
 #[potential_energy(x1/(1 + powi(x1, 2)))]
-#[independent(s1 = (1.50 - 0.23*sin(p2*x1 + 0.77))*dot(x1) + 0.48*1/sqrt(1.50 + powi(x1, 2)))]
+#[independent(s1 = dot(x1) + 0.49*exp(-powi(x1, 2)/2))]
 pub struct Random110 {
     #[nominal(1.28)]
     pub p1: f64,
@@ -3304,7 +3304,7 @@ pub struct Random152 {
 )]
 #[constraint(row1: (1.50 + 0.22*ln(1.60 + 0.64*cos(x3)))*dot(v3) - 0.26*sin(p1*x2 - 0.51)*dot(v1) + 0.42*v3*v2*sin(p1*x1 + 0.28) == 0)]
 #[constraint(row2: 1.95*dot(v2) + 0.16*x2/(1 + powi(x2, 2))*dot(v1) + 0.20*tan(0.82*sin(x2))/2*dot(v3) + 0.65*v2*v2*1/sqrt(1.50 + powi(x1, 2)) == 0)]
-#[independent(s1 = v1, s2 = v2 - 0.35*0.68*sin(x1)/(1.50 + cos(x2))*v1 + 0.46*sin(0.99*x2), s3 = 1.02*v3 - 0.30*x3/(1 + powi(x3, 2))*v1)]
+#[independent(s1 = 1.58*v1 - 0.46*sin(p2*x1 + 0.59), s2 = v2 + 0.30*sin(0.93*x2 + 0.86*x3)*v1, s3 = 1.42*v3 - 0.32*1/sqrt(1.50 + powi(x3, 2))*v1 - 0.13*ln(1.60 + 0.42*cos(x2))*v2 - 0.55*tan(0.33*sin(x3))/2)]
 pub struct Random153 {
     #[nominal(1.32)]
     pub p1: f64,
@@ -4172,8 +4172,7 @@ pub struct Random192 {
 )]
 #[constraint(row1: dot(v3) + 0.20*powi(cos(1.10*x1 + 0.26*x3), 3)*dot(v4) + 0.30*x1/(1 + powi(x1, 2))*dot(v2) + 0.29*v2*v1*ln(1.60 + 0.64*cos(x5)) == 0)]
 #[constraint(row2: dot(v5) - 0.23*powi(cos(0.57*x3 + 0.91), 3)*dot(v4) + 0.17*x5/(1 + powi(x5, 2))*dot(v2) - 0.54*v4/sqrt(1.20 + powi(v1, 2)) == 0)]
-#[independent(v1, v2, v4, v5, v3)]
-#[independent(s1 = v1 - 0.27*sin(1.10*x1 - 0.37*x1), s2 = (1.50 + 0.29*x5/(1 + powi(x5, 2)))*v2 - 0.17*exp(-powi(t, 2)/2)*v1, s3 = (1.50 - 0.19*cos(1.15*x5))*v4 - 0.11*sin(p3*x5 + 0.64)*v1 - 0.28*cos(0.98*x1 + 0.71*x5)*v2, v5, s5 = v3 - 0.11*powi(cos(0.83*x1 - 0.46*x3), 3)*v1)]
+#[independent(s1 = v1 + 0.60*sin(0.62*x1 + 0.32*x4 - 0.63), v2, s3 = v4 + 0.33*sin(0.40*x3)*v1 - 0.24*0.65*sin(x5)/(1.50 + cos(t))*v2, v5, s5 = 1.31*v3 - 0.30*exp(-powi(x2, 2)/2)*v1 - 0.47*cos(0.99*x2))]
 pub struct Random193 {
     #[nominal(1.09)]
     pub p1: f64,
@@ -4633,8 +4632,8 @@ pub struct Random212 {
 #[constraint(row3: 1.47*dot(v4) + 0.15*sin(0.49*x2 + 1.14)*dot(v5) + 0.28*1/sqrt(1.50 + powi(x3, 2))*dot(v1) + 0.34*0.55*sin(x4)/(1.50 + cos(x2)) == 0)]
 #[constraint(row4: ddot(x2) + 0.28*cos(0.59*x1 - 0.60*x4)*dot(v5) + 0.30*cos(0.54*x1)*dot(v1) + 0.61*v4*v5*sin(p1*x1 - 0.32) == 0)]
 #[constraint(row5: (1.50 - 0.14*x1/(1 + powi(x1, 2)))*dot(v3) - 0.17*sin(p2*x2 - 0.65)*dot(v5) + 0.20*sin(0.54*x3)*dot(v1) + 0.29*v4 + 0.29*exp(-powi(x1, 2)/2) == 0)]
-#[independent(s1 = v3 + 0.57*cos(0.99*x1), s2 = (1.50 - 0.12*sin(p3*x3 - 0.34))*v2 + 0.11*sin(0.56*x3 + 0.31*x4)*cos(0.67*x2 - 0.11)*v3, s3 = 1.39*v4 - 0.11*exp(-powi(x5, 2)/2)*v3 + 0.52*sin(0.94*x3), v1, s5 = 1.57*v5 - 0.14*atan2(x1, 2 + cos(x5))/2*v3 + 0.33*sin(0.57*x4 + 0.43*x5)*cos(1.00*x4 - 0.58*x2))]
 #[independent(v3, v2, v4, v1, v5)]
+#[independent(s1 = v3 - 0.52*tan(0.31*sin(x4))/2, s2 = (1.50 - 0.20*sin(p1*x4 - 0.42))*v2 + 0.32*sin(0.43*x2 + 0.33*x4)*cos(1.03*x4)*v3 + 0.34*tan(0.75*sin(x2))/2, s3 = v4 - 0.20*sin(p1*x1 + 0.62)*v3 - 0.25*1/sqrt(1.50 + powi(x2, 2)), s4 = v1 - 0.29*sin(p3*x4 + 0.96)*v3 + 0.27*exp(-powi(x2, 2)/2)*v2, s5 = 1.95*v5 + 0.18*ln(1.60 + 0.83*cos(x5))*v3 + 0.58*cos(0.44*x3 - 0.83*x2))]
 pub struct Random213 {
     #[nominal(0.78)]
     pub p1: f64,
@@ -5075,8 +5074,8 @@ pub struct Random231 {
 )]
 #[potential_energy(tan(0.97*sin(x4))/2)]
 #[constraint(row1: powi(v5, 2) + 0.26*powi(v3, 2) - (2 + 0.26*atan2(x6, 2 + cos(x2))/2) == 0)]
+#[independent(s1 = v1 - 0.31*1/sqrt(1.50 + powi(x2, 2)), s2 = (1.50 + 0.11*0.91*sin(x5)/(1.50 + cos(x2)))*v6 + 0.21*ln(1.60 + 0.58*cos(x6))*v1 + 0.41*atan2(x1, 2 + cos(x2))/2, v4, s4 = v2 + 0.33*x6/(1 + powi(x6, 2))*v1 + 0.45*powi(cos(0.61*x4), 3), s5 = (1.50 - 0.16*cos(0.98*x2 - 0.31*x1))*v3 + 0.30*x5/(1 + powi(x5, 2))*v1 - 0.23*cos(0.91*x6 - 0.34*x5)*v6, v5)]
 #[independent(v1, v6, v4, v2, v3, v5)]
-#[independent(s1 = (1.50 + 0.28*1/sqrt(1.50 + powi(x1, 2)))*v1 - 0.32*sin(1.12*x3 - 0.21)*cos(0.42*x2 + 0.58*x1), v6, s3 = v4 - 0.29*x1/(1 + powi(x1, 2))*v1, s4 = 1.26*v2 + 0.34*sin(1.05*x6)*v1 + 0.15*powi(cos(1.08*x2), 3)*v6, s5 = (1.50 + 0.26*x5/(1 + powi(x5, 2)))*v3 - 0.23*cos(0.91*x6 - 0.34*x5)*v1 - 0.23*cos(0.98*x1)*v6 - 0.34*sin(p1*x4 - 0.65), v5)]
 pub struct Random232 {
     #[nominal(1.29)]
     pub p1: f64,

@@ -74,6 +74,7 @@ pub fn combined(
         let value = graph.neg(value);
         rates[*column] = simplifier.one(graph, value);
     }
+    simplifier.settle(graph, &rates);
     let mut names: Vec<String> = carried.iter().map(|row| rows[kept[row.row]].name.clone()).collect();
     names.extend(speeds.iter().map(|speed| graph.name(*speed).to_owned()));
     let note = note(graph, carriers, &elimination, &names, choice);
