@@ -142,7 +142,7 @@ use proc_macro::TokenStream;
 /// let run = sled.simulate(start).until(6.0)?;
 /// let (_, end) = run.last();
 /// // A circle of radius u/o.
-/// assert!((end.x - 4.0 * end.phi.sin()).abs() < 1e-8 && (end.u - 2.0).abs() < 1e-12);
+/// assert!((end.x - 4.0 * end.phi.sin()).abs() < 1e-6 && (end.u - 2.0).abs() < 1e-12);
 /// # Ok(())
 /// # }
 /// ```

@@ -89,7 +89,8 @@ impl Start {
             let Some(next) = self.descend(&graph, &residuals, &moved, &step, (&f, &scales)) else { break };
             f = next;
         }
-        let open = places.iter().zip(&f).filter(|(_, (value, size))| !(value.abs() <= CLOSED * size));
+        let closed = |(value, size): &(f64, f64)| value.abs() <= CLOSED * size;
+        let open = places.iter().zip(&f).filter(|(_, f)| !closed(f));
         let open: Vec<(usize, f64)> = open.map(|(row, (value, _))| (*row, *value)).collect();
         if open.is_empty() { Ok(()) } else { Err(open) }
     }
