@@ -3,6 +3,7 @@
 //! | file | idea |
 //! |---|---|
 //! | [`blocks`] | block-triangular form, cofactors |
+//! | [`minors`] | the adjugate of a larger block |
 //! | [`rational`] | exact numbers, small ones without allocation |
 //! | [`node`] | what an expression is: symbols, n-ary sums and products, functions |
 //! | [`given`] | functions of the user's |
@@ -30,6 +31,7 @@ pub mod given;
 pub mod graph;
 pub mod identity;
 pub mod matrix;
+pub mod minors;
 pub mod modular;
 pub mod node;
 pub mod rational;
