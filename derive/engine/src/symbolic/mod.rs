@@ -17,6 +17,7 @@
 //! | [`modular`] | arithmetic modulo a prime of 61 bits |
 //! | [`identity`] | identity decided by modular evaluation |
 //! | [`tables`] | sets of expressions and tables over them |
+//! | [`samples`] | values in double precision, for what holds roots |
 //! | [`matrix`] | matrices of expressions |
 //! | [`display`] | text for messages and documentation |
 
@@ -35,6 +36,7 @@ pub mod minors;
 pub mod modular;
 pub mod node;
 pub mod rational;
+pub mod samples;
 pub mod substitute;
 pub mod tables;
 #[cfg(test)]
