@@ -844,7 +844,7 @@ pub struct Random42 {
 #[constraint(height: 1.35*x1 + exp(0.23*x3)/2 + 0.30*sin(0.98*t) - 0.50 == 0)]
 #[constraint(height_rate: 1.26*(1.35*dot(x1) + 0.23*exp(0.23*x3)*dot(x3)/2 + 0.30*0.98*cos(0.98*t)) == 0)]
 #[constraint(further: 1.34*dot(x2) - 0.13*1/sqrt(1.50 + powi(x2, 2))*dot(x3) + 0.36*sin(0.42*x3 - 0.58*x1) == 0)]
-#[independent(dot(x3))]
+#[independent(s1 = (1.50 - 0.20*exp(-powi(x1, 2)/2))*dot(x3) - 0.18*cos(0.93*x2)*dot(x1))]
 pub struct Random44 {
     #[nominal(1.03)]
     pub p1: f64,
@@ -877,7 +877,7 @@ pub struct Random44 {
 #[constraint(height: 1.38*x3 + 0.25*sin(x3) + 0.37*x1*x1 + exp(0.18*x2)/2 + 0.30*sin(0.86*t) - 0.77 == 0)]
 #[constraint(first: (1.50 + 0.11*powi(cos(1.17*x2), 3))*v4 - 0.32*powi(cos(1.06*x4 - 0.51*t), 3)*v1 + 0.30*exp(-powi(x3, 2)/2)*v2 == 0)]
 #[constraint(second: 1.38*dot(x3) + 0.25*cos(x3)*dot(x3) + 0.37*(dot(x1)*x1 + x1*dot(x1)) + 0.18*exp(0.18*x2)*dot(x2)/2 + 0.30*0.86*cos(0.86*t) - 0.50*cos(0.49*x4)*((1.50 + 0.11*powi(cos(1.17*x2), 3))*v4 - 0.32*powi(cos(1.06*x4 - 0.51*t), 3)*v1 + 0.30*exp(-powi(x3, 2)/2)*v2) == 0)]
-#[independent(v2, v1)]
+#[independent(s1 = 1.70*v2 - 0.25*powi(cos(0.62*x3 + 0.59*x2), 3)*v3 + 0.45*ln(1.60 + 0.76*cos(x1)), s2 = 1.78*v1 + 0.29*sin(1.10*x4 + 0.80)*cos(1.17*t - 0.55)*v2)]
 pub struct Random45 {
     #[nominal(0.94)]
     pub p1: f64,
@@ -980,7 +980,7 @@ pub struct Random49 {
 #[constraint(row1: 1.09*v2 - 0.29*tan(0.66*sin(x4))/2*v1 == 0)]
 #[constraint(row2: (1.50 + 0.25*sin(p1*x2 - 0.92))*v4 - 0.25*sin(0.43*x3 + 0.52*x3)*cos(0.49*x1)*v1 - 0.18*sin(p2*x3 - 0.11)*v2 == 0)]
 #[constraint(row3: 1.04*v3 - 0.13*cos(0.61*x3 - 0.54*x3)*v1 + 0.11*ln(1.60 + 0.77*cos(x1))*v2 - 0.17*sin(0.54*x1 + 0.73*x1)*cos(0.99*x1 - 0.82*x2 - 0.21)*v4 == 0)]
-#[independent(v1)]
+#[independent(s1 = (1.50 + 0.27*cos(0.75*x2))*v1 - 0.22*exp(-powi(x3, 2)/2)*v2)]
 pub struct Random50 {
     #[nominal(1.15)]
     pub p1: f64,
@@ -1167,7 +1167,7 @@ pub struct Random61 {
 #[constraint(row1: 1.78*x1 + exp(0.31*x3)/2 + exp(0.26*x5)/2 + 0.23 == 0)]
 #[constraint(row2: 1.95*x2 + 0.37*powi(x3, 2)/2 + 0.31*sin(x5) + 0.12*powi(x1, 2)/2 - 0.27 == 0)]
 #[constraint(row3: 1.77*x4 + 0.13*sin(x4) + 0.11*sin(x3) + 0.34*x5 + exp(0.20*x1)/2 + 0.65 == 0)]
-#[independent(v5, v3)]
+#[independent(s1 = (1.50 - 0.25*cos(0.52*x4))*v5 - 0.33*0.32*sin(x2)/(1.50 + cos(x1))*v1 - 0.16*atan2(x3, 2 + cos(x5))/2*v2, v3)]
 pub struct Random62 {
     #[nominal(0.80)]
     pub p1: f64,
@@ -1225,7 +1225,7 @@ pub struct Random64 {
 #[constraint(height: 1.49*x3 + 0.15*sin(x3) + exp(0.17*x2)/2 + exp(0.27*x1)/2 - 0.68 == 0)]
 #[constraint(first: (1.50 - 0.22*cos(0.61*x2))*dot(x4) - 0.25*powi(cos(0.75*x1 + 0.37*x2), 3)*dot(x2) + 0.11*tan(0.92*sin(x1))/2*dot(x1) + 0.16*exp(-powi(x4, 2)/2)*dot(x3) - 0.57*sin(0.62*x1 - 0.53*x4) == 0)]
 #[constraint(second: 1.49*dot(x3) + 0.15*cos(x3)*dot(x3) + 0.17*exp(0.17*x2)*dot(x2)/2 + 0.27*exp(0.27*x1)*dot(x1)/2 - 0.50*cos(0.64*x2 - 0.74*x2)*((1.50 - 0.22*cos(0.61*x2))*dot(x4) - 0.25*powi(cos(0.75*x1 + 0.37*x2), 3)*dot(x2) + 0.11*tan(0.92*sin(x1))/2*dot(x1) + 0.16*exp(-powi(x4, 2)/2)*dot(x3) - 0.57*sin(0.62*x1 - 0.53*x4)) == 0)]
-#[independent(dot(x1), dot(x2))]
+#[independent(s1 = dot(x1) + 0.33*cos(1.17*x1 - 0.57*x1)*dot(x3) - 0.31*sin(0.60*x1 + 0.84*x2 + 0.92)*cos(0.40*x3 + 0.57*x4 + 1.16)*dot(x4) + 0.36*1/sqrt(1.50 + powi(x1, 2)), s2 = 1.60*dot(x2) - 0.14*sin(1.03*x1 - 0.74*x4)*dot(x1))]
 pub struct Random65 {
     #[nominal(1.19)]
     pub p1: f64,
@@ -1331,7 +1331,7 @@ pub struct Random67 {
 #[constraint(row2: 1.74*x3 + 0.24*powi(x1, 2)/2 + 0.21*x4*x4 + 0.70 == 0)]
 #[constraint(row3: v5 - 0.11*sin(0.84*x2 - 0.42*x2 + 0.83)*v1 + 0.16*1/sqrt(1.50 + powi(x4, 2))*v4 + 0.28*ln(1.60 + 0.58*cos(x3))*v3 + 0.34*sin(1.13*x4 - 0.52) == 0)]
 #[constraint(row4: 1.34*v2 + 0.30*exp(-powi(x2, 2)/2)*v1 + 0.15*sin(0.49*x5 - 0.14)*cos(0.94*x1)*v4 == 0)]
-#[independent(v1)]
+#[independent(s1 = v1 - 0.34*exp(-powi(x5, 2)/2)*v4 + 0.19*atan2(x3, 2 + cos(x4))/2*v3 - 0.47*sin(p1*x2 - 0.21))]
 pub struct Random70 {
     #[nominal(0.78)]
     pub p1: f64,
@@ -1397,7 +1397,7 @@ pub struct Random71 {
 #[constraint(row3: 1.59*v5 - 0.21*atan2(x3, 2 + cos(x1))/2*v1 - 0.22*0.50*sin(x5)/(1.50 + cos(x2))*v4 + 0.25*1/sqrt(1.50 + powi(x2, 2)) == 0)]
 #[constraint(row4: v3 - 0.10*0.58*sin(x4)/(1.50 + cos(x1))*v1 + 0.27*atan2(x1, 2 + cos(x3))/2*v4 == 0)]
 #[constraint(row5: 1.92*v2 - 0.21*v2*v1*sin(1.14*x5) + 0.31*sin(0.87*x1 - 0.36*x2)*cos(0.74*x3 + 0.21*x4) == 0)]
-#[independent(v2)]
+#[independent(s1 = v2 + 0.28*cos(0.96*x5 - 0.65*x5)*v1)]
 pub struct Random72 {
     #[nominal(0.68)]
     pub p1: f64,
@@ -1453,7 +1453,7 @@ pub struct Random73 {
 #[constraint(row1: 1.90*dot(x1) + 0.25*sin(p3*x2 + 0.59)*dot(x3) == 0)]
 #[constraint(row2: 1.15*dot(x4) - 0.27*cos(0.59*x4 + 0.89*x2)*dot(x3) + 0.24*exp(-powi(x3, 2)/2)*dot(x1) + 0.28*exp(-powi(x2, 2)/2) == 0)]
 #[constraint(row3: 1.68*ddot(x2) - 0.22*powi(cos(1.10*x4), 3)*ddot(x3) - 0.15*x3/(1 + powi(x3, 2))*ddot(x1) + 0.40*dot(x2) + 0.40*cos(1.14*x2) == 0)]
-#[independent(dot(x3), dot(x2))]
+#[independent(s1 = (1.50 + 0.26*tan(0.50*sin(x4))/2)*dot(x3) + 0.18*sin(1.13*x1 + 1.32)*dot(x1), s2 = 1.63*dot(x2) - 0.22*0.54*sin(x4)/(1.50 + cos(x2))*dot(x3))]
 pub struct Random75 {
     #[nominal(0.53)]
     pub p1: f64,
@@ -1477,6 +1477,7 @@ pub struct Random75 {
 #[constraint(row2: 1.91*dot(x2) - 0.25*sin(p2*x4 - 0.40)*dot(x4) - 0.59*sin(1.07*x1)*cos(0.57*x2 - 1.48) == 0)]
 #[constraint(row3: powi(dot(x1), 2) - 0.20*powi(dot(x2), 2) - (2 - 0.20*sin(0.91*x2 + 0.89*x4)) == 0)]
 #[constraint(row4: ddot(x3) + 0.13*cos(0.88*x3 + 0.81)*ddot(x4) + 0.23*sin(0.60*x1 + 0.58*x4)*ddot(x2) + 0.62*dot(x3) + 0.62*x1/(1 + powi(x1, 2)) == 0)]
+#[independent(s1 = 1.52*dot(x3) + 0.15*sin(0.83*x2 - 0.49*x4 - 0.42)*dot(x4) - 0.15*x3/(1 + powi(x3, 2))*dot(x2), s2 = (1.50 - 0.18*sin(0.81*x2 - 0.29*x3)*cos(0.53*x2))*dot(x1) + 0.32*tan(0.46*sin(x3))/2*dot(x3) - 0.30*sin(p1*x3 - 0.86)*dot(x4))]
 #[independent(dot(x3), dot(x1))]
 pub struct Random76 {
     #[nominal(1.30)]
@@ -1661,6 +1662,7 @@ pub struct Random82 {
 #[constraint(row1: 1.53*x5 + exp(0.20*x3)/2 - 0.59 == 0)]
 #[constraint(row2: (1.50 - 0.23*tan(0.73*sin(x5))/2)*v1 - 0.14*exp(-powi(x3, 2)/2)*v3 + 0.22*sin(0.66*x3 + 0.66*x1)*cos(0.61*x1 + 0.86*x3)*v2 - 0.18*cos(0.53*x4 - 0.17)*v5 + 0.37*atan2(x4, 2 + cos(x3))/2 == 0)]
 #[constraint(row3: v4 - 0.27*ln(1.60 + 0.85*cos(x5))*v3 + 0.34*sin(1.05*x3 + 0.30)*cos(0.82*x1 - 0.64*x4)*v2 + 0.18*ln(1.60 + 0.94*cos(x2))*v5 == 0)]
+#[independent(s1 = (1.50 + 0.28*powi(cos(0.47*x3), 3))*v2 - 0.12*0.97*sin(x2)/(1.50 + cos(x2))*v5, s2 = (1.50 - 0.24*atan2(x1, 2 + cos(x5))/2)*v3 - 0.26*0.32*sin(x3)/(1.50 + cos(x2))*v2)]
 #[independent(v2, v3)]
 pub struct Random83 {
     #[nominal(0.65)]
@@ -2390,7 +2392,7 @@ pub struct Random109 {
     0,
 )]
 #[potential_energy(x1/(1 + powi(x1, 2)))]
-#[independent(dot(x1))]
+#[independent(s1 = (1.50 - 0.23*sin(p2*x1 + 0.77))*dot(x1) + 0.48*1/sqrt(1.50 + powi(x1, 2)))]
 pub struct Random110 {
     #[nominal(1.28)]
     pub p1: f64,
@@ -2700,6 +2702,7 @@ pub struct Random121 {
 )]
 #[constraint(row1: 1.87*x2 + 0.24*sin(x2) + 0.15*powi(x1, 2)/2 + 0.30*sin(1.28*t) + 0.47 == 0)]
 #[independent(v1)]
+#[independent(s1 = 1.18*v1 - 0.33*sin(0.75*x2 + 0.27*t)*cos(0.51*x2 - 0.62*x1)*v2 - 0.37*x1/(1 + powi(x1, 2)))]
 pub struct Random122 {
     #[nominal(1.36)]
     pub p1: f64,
@@ -2947,7 +2950,7 @@ pub struct Random135 {
 #[constraint(row1: 1.27*dot(x1) == 0)]
 #[constraint(row2: 1.36*dot(x3) + 0.14*atan2(x2, 2 + cos(x2))/2*dot(x1)*dot(x1) + 0.48*0.67*sin(x3)/(1.50 + cos(x2)) == 0)]
 #[constraint(row3: 1.34*ddot(x2) - 0.22*1/sqrt(1.50 + powi(x2, 2))*ddot(x1) + 0.18*sin(1.06*x3)*ddot(x3) - 0.76*dot(x3)/sqrt(1.20 + powi(dot(x2), 2)) == 0)]
-#[independent(dot(x2), dot(x3))]
+#[independent(s1 = (1.50 + 0.21*sin(p1*x1 + 0.46))*dot(x2) + 0.29*tan(0.97*sin(x2))/2*dot(x1), dot(x3))]
 pub struct Random136 {
     #[nominal(0.76)]
     pub p1: f64,
@@ -3301,7 +3304,7 @@ pub struct Random152 {
 )]
 #[constraint(row1: (1.50 + 0.22*ln(1.60 + 0.64*cos(x3)))*dot(v3) - 0.26*sin(p1*x2 - 0.51)*dot(v1) + 0.42*v3*v2*sin(p1*x1 + 0.28) == 0)]
 #[constraint(row2: 1.95*dot(v2) + 0.16*x2/(1 + powi(x2, 2))*dot(v1) + 0.20*tan(0.82*sin(x2))/2*dot(v3) + 0.65*v2*v2*1/sqrt(1.50 + powi(x1, 2)) == 0)]
-#[independent(v1, v2, v3)]
+#[independent(s1 = v1, s2 = v2 - 0.35*0.68*sin(x1)/(1.50 + cos(x2))*v1 + 0.46*sin(0.99*x2), s3 = 1.02*v3 - 0.30*x3/(1 + powi(x3, 2))*v1)]
 pub struct Random153 {
     #[nominal(1.32)]
     pub p1: f64,
@@ -3343,7 +3346,7 @@ pub struct Random154 {
 #[constraint(row1: (1.50 + 0.11*x2/(1 + powi(x2, 2)))*dot(x2) == 0)]
 #[constraint(row2: (1.50 - 0.22*exp(-powi(x3, 2)/2))*dot(x3) + 0.30*sin(0.80*x2 + 0.67)*dot(x2) == 0)]
 #[constraint(row3: (1.50 - 0.26*sin(p1*x3 + 0.22))*ddot(x1) + 0.27*exp(-powi(x2, 2)/2)*ddot(x2) + 0.21*0.50*sin(x2)/(1.50 + cos(x2))*ddot(x3) - 0.77*dot(x1)/sqrt(1.20 + powi(dot(x1), 2)) == 0)]
-#[independent(dot(x1))]
+#[independent(s1 = dot(x1) + 0.22*sin(0.41*x3)*cos(0.43*x1 + 0.34)*dot(x2) + 0.35*tan(0.58*sin(t))/2)]
 pub struct Random155 {
     #[nominal(0.96)]
     pub p1: f64,
@@ -3449,7 +3452,7 @@ pub struct Random161 {
 #[constraint(row1: 1.63*x1 + exp(0.21*x2)/2 + 0.30*sin(1.17*t) + 0.33 == 0)]
 #[constraint(row2: 1.25*x4 + 0.27*sin(x4) + 0.13*x2*x1 + 0.15*sin(x1) + 0.30*sin(0.54*t) + 0.19 == 0)]
 #[constraint(row3: 1.78*x3 + 0.21*sin(x3) + 0.35*x2 + 0.30*sin(1.49*t) - 0.16 == 0)]
-#[independent(dot(x2))]
+#[independent(s1 = (1.50 - 0.20*atan2(x3, 2 + cos(x3))/2)*dot(x2) - 0.18*cos(0.66*t)*dot(x1) + 0.47*x3/(1 + powi(x3, 2)))]
 pub struct Random162 {
     #[nominal(1.39)]
     pub p1: f64,
@@ -3613,6 +3616,7 @@ pub struct Random169 {
 )]
 #[constraint(row1: 1.23*x1 + 0.27*sin(x1) + 0.14*x3 - 0.33 == 0)]
 #[constraint(row2: 1.91*x2 + 0.30*sin(x3) + 0.31*x1 - 0.67 == 0)]
+#[independent(s1 = (1.50 - 0.21*ln(1.60 + 0.73*cos(x3)))*v3 - 0.21*1/sqrt(1.50 + powi(x2, 2))*v1 - 0.31*1/sqrt(1.50 + powi(x3, 2)))]
 #[independent(v3)]
 pub struct Random170 {
     #[nominal(0.89)]
@@ -3730,6 +3734,7 @@ pub struct Random175 {
 #[constraint(row1: dot(x2) == 0)]
 #[constraint(row2: 1.71*dot(x3) + 0.28*dot(x3)*dot(x2)*sin(0.46*x3 - 0.56*x3) + 0.52*cos(0.75*x2 - 0.70*x3) == 0)]
 #[constraint(row3: (1.50 + 0.11*atan2(x1, 2 + cos(x1))/2)*ddot(x1) - 0.14*exp(-powi(x3, 2)/2)*ddot(x2) - 0.28*0.87*sin(x2)/(1.50 + cos(x3))*ddot(x3) + 0.30*dot(x3)*dot(x2)*1/sqrt(1.50 + powi(x1, 2)) == 0)]
+#[independent(s1 = dot(x1) + 0.15*sin(0.64*x1 + 0.47*x3 + 0.79)*cos(1.02*x2)*dot(x2), dot(x3))]
 #[independent(dot(x1), dot(x3))]
 pub struct Random176 {
     #[nominal(1.12)]
@@ -3832,6 +3837,7 @@ pub struct Random179 {
 #[potential_energy(x2/(1 + powi(x2, 2)))]
 #[constraint(row1: v2 + 0.28*0.58*sin(t)/(1.50 + cos(x3))*v4 - 0.37*cos(0.55*x2 + 0.25*x4 - 0.50) == 0)]
 #[independent(v1, v3, v4)]
+#[independent(s1 = (1.50 + 0.28*sin(0.83*x2)*cos(1.05*x2))*v1 + 0.13*cos(0.62*t - 0.54)*v2, v3, s3 = (1.50 - 0.24*tan(0.63*sin(x2))/2)*v4 - 0.26*atan2(t, 2 + cos(x4))/2*v1)]
 pub struct Random181 {
     #[nominal(0.70)]
     pub p1: f64,
@@ -3869,7 +3875,7 @@ pub struct Random181 {
 #[constraint(row2: 1.53*x2 + 0.29*sin(x2) + 0.30*sin(x5) + exp(0.25*x4)/2 + 0.45 == 0)]
 #[constraint(row3: 1.94*x3 + 0.35*sin(x5) + 0.20*x4*x2 + 0.11*powi(x2, 2)/2 + 0.61 == 0)]
 #[constraint(row4: 1.54*x1 + 0.21*sin(x5) + exp(0.15*x4)/2 - 0.23 == 0)]
-#[independent(v5)]
+#[independent(s1 = v5 + 0.30*atan2(x2, 2 + cos(x4))/2*v4 + 0.54*x2/(1 + powi(x2, 2)))]
 pub struct Random182 {
     #[nominal(1.46)]
     pub p1: f64,
@@ -4167,6 +4173,7 @@ pub struct Random192 {
 #[constraint(row1: dot(v3) + 0.20*powi(cos(1.10*x1 + 0.26*x3), 3)*dot(v4) + 0.30*x1/(1 + powi(x1, 2))*dot(v2) + 0.29*v2*v1*ln(1.60 + 0.64*cos(x5)) == 0)]
 #[constraint(row2: dot(v5) - 0.23*powi(cos(0.57*x3 + 0.91), 3)*dot(v4) + 0.17*x5/(1 + powi(x5, 2))*dot(v2) - 0.54*v4/sqrt(1.20 + powi(v1, 2)) == 0)]
 #[independent(v1, v2, v4, v5, v3)]
+#[independent(s1 = v1 - 0.27*sin(1.10*x1 - 0.37*x1), s2 = (1.50 + 0.29*x5/(1 + powi(x5, 2)))*v2 - 0.17*exp(-powi(t, 2)/2)*v1, s3 = (1.50 - 0.19*cos(1.15*x5))*v4 - 0.11*sin(p3*x5 + 0.64)*v1 - 0.28*cos(0.98*x1 + 0.71*x5)*v2, v5, s5 = v3 - 0.11*powi(cos(0.83*x1 - 0.46*x3), 3)*v1)]
 pub struct Random193 {
     #[nominal(1.09)]
     pub p1: f64,
@@ -4201,7 +4208,7 @@ pub struct Random193 {
 #[potential_energy(powi(cos(1.15*x2 + 0.84*x3), 3))]
 #[constraint(row1: 1.83*x4 + 0.38*x2 + 0.27*sin(x3) + 0.30*sin(0.96*t) + 0.35 == 0)]
 #[constraint(row2: powi(v1, 2) + 0.16*powi(v4, 2) - (2 + 0.16*atan2(x4, 2 + cos(x3))/2) == 0)]
-#[independent(v3, v2, v1)]
+#[independent(s1 = 1.03*v3 - 0.33*exp(-powi(x1, 2)/2)*v4, s2 = (1.50 + 0.26*cos(0.87*t))*v2 + 0.33*sin(p3*x1 + 0.98)*v3, s3 = v1 + 0.18*cos(1.19*x2 - 0.21*x3)*v3 + 0.22*1/sqrt(1.50 + powi(x1, 2))*v2)]
 pub struct Random194 {
     #[nominal(1.07)]
     pub p1: f64,
@@ -4234,7 +4241,7 @@ pub struct Random194 {
 #[potential_energy(sin(0.54*x3 + 0.31)*cos(0.56*x1 + 0.89*x2))]
 #[constraint(row1: 1.43*x3 + exp(0.35*x2)/2 + 0.32*powi(x4, 2)/2 + 0.17 == 0)]
 #[constraint(row2: (1.50 + 0.20*tan(0.54*sin(x1))/2)*dot(v1) - 0.21*atan2(x3, 2 + cos(x3))/2*dot(v2) - 0.19*atan2(x4, 2 + cos(x1))/2*dot(v4) - 0.34*v2 - 0.34*sin(0.45*x1 + 0.32*x4) == 0)]
-#[independent(v4, v2, v1)]
+#[independent(s1 = (1.50 + 0.25*0.39*sin(x1)/(1.50 + cos(x1)))*v4 + 0.35*atan2(x3, 2 + cos(x4))/2*v3 + 0.27*atan2(x4, 2 + cos(x2))/2, s2 = 1.45*v2 + 0.13*sin(0.49*x3)*v4, v1)]
 pub struct Random195 {
     #[nominal(0.53)]
     pub p1: f64,
@@ -4523,7 +4530,7 @@ pub struct Random209 {
 #[constraint(row3: 1.19*dot(x6) + 0.13*sin(0.83*x6 + 0.22)*cos(0.83*x2 - 0.46*t - 1.16)*dot(x1) + 0.21*sin(p1*x1 + 0.81)*dot(x2) - 0.24*exp(-powi(x1, 2)/2)*dot(x3) == 0)]
 #[constraint(row4: 1.16*dot(x5) - 0.21*cos(1.17*x4 + 0.72*x2)*dot(x1) - 0.22*exp(-powi(x5, 2)/2)*dot(x2) == 0)]
 #[constraint(row5: 1.60*dot(x4) + 0.35*cos(1.05*x2 - 0.81*t + 0.91)*dot(x1) + 0.17*ln(1.60 + 0.67*cos(x3))*dot(x2) == 0)]
-#[independent(dot(x1))]
+#[independent(s1 = (1.50 - 0.20*exp(-powi(x3, 2)/2))*dot(x1) - 0.14*tan(0.84*sin(t))/2*dot(x2) + 0.29*cos(1.11*t)*dot(x3))]
 pub struct Random210 {
     #[nominal(0.95)]
     pub p1: f64,
@@ -4626,6 +4633,7 @@ pub struct Random212 {
 #[constraint(row3: 1.47*dot(v4) + 0.15*sin(0.49*x2 + 1.14)*dot(v5) + 0.28*1/sqrt(1.50 + powi(x3, 2))*dot(v1) + 0.34*0.55*sin(x4)/(1.50 + cos(x2)) == 0)]
 #[constraint(row4: ddot(x2) + 0.28*cos(0.59*x1 - 0.60*x4)*dot(v5) + 0.30*cos(0.54*x1)*dot(v1) + 0.61*v4*v5*sin(p1*x1 - 0.32) == 0)]
 #[constraint(row5: (1.50 - 0.14*x1/(1 + powi(x1, 2)))*dot(v3) - 0.17*sin(p2*x2 - 0.65)*dot(v5) + 0.20*sin(0.54*x3)*dot(v1) + 0.29*v4 + 0.29*exp(-powi(x1, 2)/2) == 0)]
+#[independent(s1 = v3 + 0.57*cos(0.99*x1), s2 = (1.50 - 0.12*sin(p3*x3 - 0.34))*v2 + 0.11*sin(0.56*x3 + 0.31*x4)*cos(0.67*x2 - 0.11)*v3, s3 = 1.39*v4 - 0.11*exp(-powi(x5, 2)/2)*v3 + 0.52*sin(0.94*x3), v1, s5 = 1.57*v5 - 0.14*atan2(x1, 2 + cos(x5))/2*v3 + 0.33*sin(0.57*x4 + 0.43*x5)*cos(1.00*x4 - 0.58*x2))]
 #[independent(v3, v2, v4, v1, v5)]
 pub struct Random213 {
     #[nominal(0.78)]
@@ -4651,6 +4659,7 @@ pub struct Random213 {
 #[constraint(row1: 1.60*x1 + 0.40*powi(x2, 2)/2 - 0.30 == 0)]
 #[constraint(row2: ddot(x6) + 0.26*tan(0.45*sin(x6))/2*ddot(x2) + 0.16*1/sqrt(1.50 + powi(x3, 2))*ddot(x4) - 0.73*dot(x6)*dot(x3)*sin(0.50*x5) == 0)]
 #[independent(dot(x5), dot(x3), dot(x4), dot(x2), dot(x6))]
+#[independent(s1 = 1.13*dot(x5) + 0.21*sin(0.60*x2 + 0.79)*dot(x1), dot(x3), s3 = dot(x4) + 0.32*x5/(1 + powi(x5, 2))*dot(x5) - 0.27*sin(p1*x2 - 0.72)*dot(x3), s4 = 1.90*dot(x2) + 0.24*tan(0.86*sin(x1))/2*dot(x5) - 0.25*sin(1.09*x2)*dot(x3), dot(x6))]
 pub struct Random215 {
     #[nominal(0.51)]
     pub p1: f64,
@@ -5067,6 +5076,7 @@ pub struct Random231 {
 #[potential_energy(tan(0.97*sin(x4))/2)]
 #[constraint(row1: powi(v5, 2) + 0.26*powi(v3, 2) - (2 + 0.26*atan2(x6, 2 + cos(x2))/2) == 0)]
 #[independent(v1, v6, v4, v2, v3, v5)]
+#[independent(s1 = (1.50 + 0.28*1/sqrt(1.50 + powi(x1, 2)))*v1 - 0.32*sin(1.12*x3 - 0.21)*cos(0.42*x2 + 0.58*x1), v6, s3 = v4 - 0.29*x1/(1 + powi(x1, 2))*v1, s4 = 1.26*v2 + 0.34*sin(1.05*x6)*v1 + 0.15*powi(cos(1.08*x2), 3)*v6, s5 = (1.50 + 0.26*x5/(1 + powi(x5, 2)))*v3 - 0.23*cos(0.91*x6 - 0.34*x5)*v1 - 0.23*cos(0.98*x1)*v6 - 0.34*sin(p1*x4 - 0.65), v5)]
 pub struct Random232 {
     #[nominal(1.29)]
     pub p1: f64,
@@ -5182,6 +5192,7 @@ pub struct Random235 {
 #[constraint(row3: 1.33*v3 - 0.18*sin(v3 + atan2(x1, 2 + cos(x6))/2*v2) + 0.21*sin(1.11*x3 + 0.34*x3 + 1.35) == 0)]
 #[constraint(row4: dot(v1) + 0.25*sin(0.77*x3)*dot(v2) + 0.19*cos(0.74*x2)*dot(v4) - 0.75*v2 - 0.75*sin(0.59*x5 + 0.22*x2) == 0)]
 #[independent(v4, v2, v1, v3)]
+#[independent(s1 = v4 + 0.32*ln(1.60 + 0.65*cos(x6))*v5 - 0.52*exp(-powi(x5, 2)/2), s2 = (1.50 - 0.12*atan2(x6, 2 + cos(x4))/2)*v2 + 0.15*ln(1.60 + 0.35*cos(x3))*v4, v1, s4 = 1.19*v3 - 0.18*atan2(x1, 2 + cos(x2))/2*v4 + 0.13*cos(0.75*x5)*v2)]
 pub struct Random236 {
     #[nominal(0.87)]
     pub p1: f64,

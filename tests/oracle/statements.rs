@@ -1,6 +1,6 @@
 //! The statements of a model, one attribute each.
 
-use super::declaration::{Configuration, Constraint, Declaration, Level};
+use super::declaration::{Chosen, Configuration, Constraint, Declaration, Level};
 use std::collections::BTreeMap;
 use syn::parse::{Parse, ParseStream, Parser};
 use syn::punctuated::Punctuated;
@@ -21,7 +21,7 @@ pub fn read(model: &mut Declaration, name: &str, attribute: &Attribute) -> Resul
         "potential_energy" => model.potential_energy = Some(attribute.parse_args()?),
         "constraint" => model.constraints.push(attribute.parse_args_with(constraint)?),
         "configuration" => model.configuration = Some(configuration(list()?)?),
-        "independent" => model.independent = list()?,
+        "independent" => model.charts.push(list()?.into_iter().map(chosen).collect::<Result<_>>()?),
         "velocities" => model.gives_velocities = true,
         "complement" => {
             for (name, row) in assignments(list()?)? {
@@ -32,6 +32,10 @@ pub fn read(model: &mut Declaration, name: &str, attribute: &Attribute) -> Resul
             }
         }
         "define" => model.definitions.extend(assignments(list()?)?),
+        "output" => {
+            let outputs = attribute.parse_args_with(Punctuated::<Output, Token![,]>::parse_terminated)?;
+            model.outputs.extend(outputs.into_iter().map(|output| (output.0, output.1)));
+        }
         "start" => {
             let start = assignments(list()?)?;
             model.start.extend(start.into_iter().map(|(name, value)| (name, number(&value))));
@@ -93,6 +97,25 @@ fn names(attribute: &Attribute) -> Result<Vec<String>> {
     Ok(names.into_iter().map(|n| n.0.to_string()).collect())
 }
 
+/// `power = ..` or `mu`, with doc comments before it.
+struct Output(String, Expr);
+
+impl Parse for Output {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        Attribute::parse_outer(input)?;
+        let name: Ident = input.parse()?;
+        match input.parse::<Option<Token![=]>>()? {
+            Some(_) => Ok(Self(name.to_string(), input.parse()?)),
+            None => Ok(Self(name.to_string(), Expr::parse.parse_str(&name.to_string())?)),
+        }
+    }
+}
+
+/// `reaction(rod)` as the name of the constraint.
+pub fn reaction_of(e: &Expr) -> Option<String> {
+    plain(argument(e, "reaction")?)
+}
+
 fn assignment(e: Expr) -> Result<(Expr, Expr)> {
     match e {
         Expr::Assign(ExprAssign { left, right, .. }) => Ok((*left, *right)),
@@ -107,6 +130,16 @@ fn assignments(list: Vec<Expr>) -> Result<Vec<(String, Expr)>> {
         Ok((name, right))
     };
     list.into_iter().map(named).collect()
+}
+
+/// A speed, the rate of a coordinate, or `name = combination`.
+fn chosen(e: Expr) -> Result<Chosen> {
+    if !matches!(e, Expr::Assign(_)) {
+        return Ok(Chosen { name: None, value: e });
+    }
+    let (left, value) = assignment(e)?;
+    let name = plain(&left).ok_or_else(|| Error::new_spanned(&left, "not a name"))?;
+    Ok(Chosen { name: Some(name), value })
 }
 
 /// Either direction; the order is that of x or of v, so both must have been declared above.
@@ -187,6 +220,7 @@ fn configuration(list: Vec<Expr>) -> Result<Configuration> {
             _ => configuration.quasi.push((left, right)),
         }
     }
+    configuration.speeds = quasi;
     Ok(configuration)
 }
 

@@ -79,7 +79,7 @@ impl<'a> System<'a> {
     }
 
     /// Everything that an acceleration row may mention; ẍ is the derivative of ẋ = A v + a0 along the motion.
-    fn accelerated<N: Number>(&self, t: N, x: &[N], v: &[N], vdot: &[N]) -> Scope<'a, N> {
+    pub(super) fn accelerated<N: Number>(&self, t: N, x: &[N], v: &[N], vdot: &[N]) -> Scope<'a, N> {
         let rates = self.rates(t, x, v);
         let along = self.rates(Dual::moving(t, N::one()), &along(x, &rates), &along(v, vdot));
         let second: Vec<N> = along.iter().map(|rate| rate.rate).collect();

@@ -10,6 +10,8 @@ pub use models::*;
 
 #[path = "../models/bodies.rs"]
 pub mod bodies;
+#[path = "../models/combined.rs"]
+pub mod combined;
 #[path = "../models/coupled.rs"]
 pub mod coupled;
 #[path = "../models/linkages.rs"]
@@ -128,6 +130,11 @@ macro_rules! every_model {
                 RollingDisk(m, r, j, g)
                 FloorDisk(m, r, j, g)
                 StagedDisk(m, r, j, g);
+            "tests/models/combined.rs" combined:
+                DiscByRates(m, r, g, d, a)
+                SphericalByTurning(m, l, g)
+                PacedBlade(m, i, g, tilt, drift, pace)
+                SwungParticle(m, g, l, k, w);
         }
     };
 }

@@ -1,7 +1,7 @@
 //! The steps in order, from tokens to tokens.
 
 use crate::forms::Forms;
-use crate::projection::{Equations, Simplifier, TANGENT_PIVOT, guards, messages, project};
+use crate::projection::{Equations, Simplifier, TANGENT_PIVOT, guards, messages, outputs, project};
 use crate::symbolic::Expr;
 use crate::syntax::{Declarations, Diagnostics};
 use crate::target::{known, target};
@@ -116,6 +116,11 @@ fn equations(
     if declarations.options.simplify {
         cheapen(&mut equations, &mut forms);
     }
+    let mut errors = Diagnostics::new();
+    for (name, span) in outputs::dividing_by_zero(&equations) {
+        errors.report(span, messages::output_divides_by_zero(name));
+    }
+    errors.result(())?;
     if guards::divides_by_zero(&equations) {
         let mut errors = Diagnostics::new();
         errors.report(&declarations.ident, messages::division_by_zero_arises());
@@ -139,4 +144,12 @@ fn cheapen(equations: &mut Equations, forms: &mut Forms) {
         group.into_iter().zip(cheaper).for_each(|(e, new)| *e = new);
     }
     equations.graph = graph;
+    // Outputs are made of what has become cheaper.
+    outputs::bind(equations);
+    let Equations { graph, outputs, .. } = equations;
+    for group in [&mut outputs.values, &mut outputs.carried] {
+        if !group.is_empty() {
+            *group = forms.all(graph, group);
+        }
+    }
 }
