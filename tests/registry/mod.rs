@@ -12,6 +12,8 @@ pub use models::*;
 pub mod bodies;
 #[path = "../models/combined.rs"]
 pub mod combined;
+#[path = "../models/coupled.rs"]
+pub mod coupled;
 #[path = "../models/linkages.rs"]
 pub mod linkages;
 #[path = "../models/spherical.rs"]
@@ -57,6 +59,8 @@ macro_rules! every_model {
                 HeavyTop(m, g, j1, j2, j3, l)
                 Flyball(g, k, cd, l0, m_rod, l_rod, w_rod, off, m_ball, m_slider, b_slider)
                 TriplePendulum(m, l, g);
+            "tests/models/coupled.rs" coupled:
+                SixBar(l1, l2, l3, l4, l5, a, b, d, j1, j2, j3, j4, j5, w1, w2, w3, w4, w5, tau);
             "tests/models/energies.rs" energies:
                 SleighByEnergy(m, i, a)
                 RollingDiskByEnergy(m, r, j, g)

@@ -4,12 +4,13 @@
 //! vanish or are guarded already, and only then quantities that need a new guard. Every zero test is decided.
 //!
 //! Where new guards are needed, the rows that are left are cut into the blocks of their block-triangular form, and a block
-//! of up to three rows is inverted as a whole: its determinant is the only divisor. Rows eliminated one at a time would
-//! divide by an entry as well, which may vanish where the determinant does not: in a planar loop sin q2 instead of
-//! sin(q2 - q3), and digits are lost like its third power.
+//! is inverted as a whole: its determinant is the only divisor. Rows eliminated one at a time would divide by an entry as
+//! well, which may vanish where the determinant does not: in a planar loop sin q2 instead of sin(q2 - q3), and digits are
+//! lost like its third power. Only what has too many minors (a full block of more than six rows) goes one row at a time.
 
 use super::Simplifier;
 use crate::symbolic::blocks::{COFACTORS, cofactors, triangular};
+use crate::symbolic::minors::by_minors;
 use crate::symbolic::{Expr, Graph, Matrix, Rational, Stage};
 use std::collections::BTreeMap;
 
@@ -207,11 +208,7 @@ impl Work {
             let columns: Vec<usize> = block.columns.iter().map(|j| columns[*j]).collect();
             match rows.len() {
                 1 => self.pivot(graph, simplifier, rows[0], columns[0], NEW_GUARD),
-                n if n <= COFACTORS => {
-                    if !self.block(graph, simplifier, &rows, &columns) {
-                        return;
-                    }
-                }
+                _ if self.block(graph, simplifier, &rows, &columns) => {}
                 // One row at a time; what follows may depend on it.
                 _ => return,
             }
@@ -237,11 +234,16 @@ impl Work {
         Some(open.iter().filter_map(|i| trial.pivots[*i]).collect())
     }
 
-    /// Solves the rows for the columns by the block's adjugate over its determinant; false where that vanishes.
+    /// Solves the rows for the columns by the block's adjugate over its determinant; false where that vanishes, or the
+    /// block has too many minors.
     fn block(&mut self, graph: &mut Graph, simplifier: &mut dyn Simplifier, rows: &[usize], columns: &[usize]) -> bool {
         let n = rows.len();
         let block = Matrix::from_fn(n, n, |i, j| self.reduced.get(rows[i], columns[j]));
-        let (adjugate, determinant) = cofactors(graph, &block);
+        let found = match n <= COFACTORS {
+            true => Some(cofactors(graph, &block)),
+            false => by_minors(graph, &block, &mut |graph, e| simplifier.one(graph, e)),
+        };
+        let Some((adjugate, determinant)) = found else { return false };
         if graph.vanishes(determinant) {
             return false;
         }

@@ -4,7 +4,7 @@ use super::cost::{cost, running, runs, total};
 use super::expand::{Atoms, Depth};
 use super::extract::extract;
 use super::language::{Classes, import};
-use super::limits::{GROUP_LEAST, GROUP_NODES, GROUP_SEEDS, INNER_FORMS, MODEL_NODES, MODEL_WORK};
+use super::limits::{GROUP_LEAST, GROUP_NODES, GROUP_SEEDS, INNER_FORMS, MODEL_NODES, MODEL_WORK, OPENED_TOGETHER};
 use super::normalise::{forms, normalise_within, rank};
 use super::rules::grow;
 use crate::symbolic::{Expr, Graph, Node};
@@ -99,6 +99,7 @@ fn one_group(graph: &mut Graph, roots: &[Expr], nodes: &mut usize, work: &mut us
     for root in roots {
         let mut all = vec![*root];
         if matches!(graph.node(*root), Node::Sum { .. } | Node::Product(_))
+            && running(graph, &[*root]).len() <= OPENED_TOGETHER
             && let Some((found, atoms)) =
                 forms(graph, *root, Depth::Full, work).or_else(|| forms(graph, *root, Depth::Running, work))
         {
@@ -141,6 +142,12 @@ fn by_egraph(graph: &mut Graph, seeds: &[Vec<Expr>], nodes: &mut usize) -> Optio
             classes.union(*root, id);
         }
     }
+    classes.rebuild();
+    let before = (classes.total_size(), classes.number_of_classes());
     *nodes -= grow(graph, &mut classes, &known).min(*nodes);
+    // Where no rule finds anything, the best of what is there is known already.
+    if before == (classes.total_size(), classes.number_of_classes()) {
+        return None;
+    }
     extract(graph, &classes, &roots)
 }

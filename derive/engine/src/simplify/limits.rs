@@ -14,6 +14,8 @@ pub const PROJECTION_WORK: usize = 300_000;
 /// Expressions that run in one that the projection opens on its way: a larger one only grows, and is dearer as a sum of
 /// many terms than as the products that it was made of.
 pub const OPENED: usize = 60;
+/// The same for the roots of a group, whose forms are compared with what went in.
+pub const OPENED_TOGETHER: usize = 150;
 /// Expressions that run in a sum with a form of its own, beyond which it is not opened again.
 pub const SETTLED_ALONE: usize = 60;
 /// The same for a sum whose form was found together with others, which it may share more with.

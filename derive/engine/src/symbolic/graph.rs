@@ -1,6 +1,7 @@
 //! The arena: interning, names, stages and reachability.
 
-use super::identity::{Points, Samples};
+use super::identity::Points;
+use super::samples::Samples;
 use super::tables::{Interned, Set};
 use super::{Expr, Function, Given, Kind, Node, Rational, Stage, Symbol};
 use std::cell::RefCell;

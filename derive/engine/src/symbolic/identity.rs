@@ -12,7 +12,7 @@
 //! either sign, must not contradict.
 
 use super::modular::{Element, Field, PRIMES, mix};
-use super::{Algebra, Expr, Function, Graph, Node, Rational, Symbol};
+use super::{Expr, Function, Graph, Node, Rational};
 
 /// Denominators that divide this have exact angle multiples: τ belongs to the angle over this number.
 const DENOMINATOR: i64 = 720_720;
@@ -262,120 +262,5 @@ impl Graph {
     fn agree(&self, mut pair: impl FnMut(&mut Point, &Graph) -> Option<(Element, Element)>) -> bool {
         let mut points = self.points.borrow_mut();
         points.0.iter_mut().all(|point| matches!(pair(point, self), Some((a, b)) if a == b))
-    }
-
-    /// Whether values in double precision show that the two differ; asked only where roots occur.
-    fn contradicted(&self, a: Expr, b: Expr) -> bool {
-        if !(self.branches.contains(a) || self.branches.contains(b)) {
-            return false;
-        }
-        let mut samples = self.samples.borrow_mut();
-        let found = self.evaluate_further(&[a, b], &mut Sampled { pi: self.pi_symbol() }, &mut samples.0);
-        let mut finite = 0;
-        let contradiction = (0..SAMPLES).any(|k| {
-            let ((x, sx), (y, sy)) = (found[0][k], found[1][k]);
-            let comparable = x.is_finite() && y.is_finite() && sx.is_finite() && sy.is_finite();
-            finite += usize::from(comparable);
-            comparable && (x - y).abs() > 1e-7 * (sx + sy + 1e-30)
-        });
-        // What was never seen is refused.
-        contradiction || finite == 0
-    }
-
-    /// Values in double precision, each with the size of the terms that made it: a value far below its size is zero
-    /// to rounding.
-    pub fn evaluate_scaled(&self, expressions: &[Expr], values: &dyn Fn(Symbol) -> f64) -> Vec<(f64, f64)> {
-        self.evaluate_in(expressions, &mut Scaled { pi: self.pi_symbol(), values })
-    }
-}
-
-/// Points in double precision at which what contains roots is compared.
-const SAMPLES: usize = 48;
-
-/// Values in double precision at all points, with the sizes of their terms, one entry for each expression of the arena.
-#[derive(Clone, Debug, Default)]
-pub struct Samples(Vec<Option<Box<[(f64, f64)]>>>);
-
-/// [`Scaled`] at all points at once: what was compared before is not evaluated again.
-struct Sampled {
-    pi: Symbol,
-}
-
-impl Sampled {
-    /// One operation at every point.
-    fn each(&self, mut operation: impl FnMut(&mut Scaled<'_>, usize) -> (f64, f64)) -> Box<[(f64, f64)]> {
-        let mut values = vec![(0.0, 0.0); SAMPLES];
-        let (out, mut k) = (values.as_mut_slice(), 0);
-        while k < SAMPLES {
-            // Points near and far: a root may be real only beyond some value.
-            let reach = [2.0, 30.0, 500.0][k % 3];
-            let unit = |s: Symbol| (mix(mix(k as u64) ^ mix(s.index() as u64)) >> 11) as f64 / (1u64 << 53) as f64;
-            out[k] = operation(&mut Scaled { pi: self.pi, values: &|s| reach * (2.0 * unit(s) - 1.0) }, k);
-            k += 1;
-        }
-        values.into_boxed_slice()
-    }
-}
-
-impl Algebra for Sampled {
-    type Value = Box<[(f64, f64)]>;
-    fn number(&mut self, value: &Rational) -> Self::Value {
-        let x = value.to_f64();
-        vec![(x, x.abs()); SAMPLES].into_boxed_slice()
-    }
-    fn symbol(&mut self, symbol: Symbol) -> Self::Value {
-        self.each(|scaled, _| scaled.symbol(symbol))
-    }
-    fn add(&mut self, a: &Self::Value, b: &Self::Value) -> Self::Value {
-        self.each(|scaled, k| scaled.add(&a[k], &b[k]))
-    }
-    fn mul(&mut self, a: &Self::Value, b: &Self::Value) -> Self::Value {
-        self.each(|scaled, k| scaled.mul(&a[k], &b[k]))
-    }
-    fn recip(&mut self, a: &Self::Value) -> Self::Value {
-        self.each(|scaled, k| scaled.recip(&a[k]))
-    }
-    fn function(&mut self, function: Function, arguments: &[Self::Value]) -> Self::Value {
-        self.each(|scaled, k| {
-            let values: Vec<(f64, f64)> = arguments.iter().map(|a| a[k]).collect();
-            scaled.function(function, &values)
-        })
-    }
-}
-
-/// Double precision with a bound of the terms' magnitudes.
-struct Scaled<'a> {
-    pi: Symbol,
-    values: &'a dyn Fn(Symbol) -> f64,
-}
-
-impl Algebra for Scaled<'_> {
-    type Value = (f64, f64);
-    fn number(&mut self, value: &Rational) -> Self::Value {
-        let x = value.to_f64();
-        (x, x.abs())
-    }
-    fn symbol(&mut self, symbol: Symbol) -> Self::Value {
-        let x = if symbol == self.pi { std::f64::consts::PI } else { (self.values)(symbol) };
-        (x, x.abs())
-    }
-    fn add(&mut self, a: &Self::Value, b: &Self::Value) -> Self::Value {
-        (a.0 + b.0, a.1 + b.1)
-    }
-    fn mul(&mut self, a: &Self::Value, b: &Self::Value) -> Self::Value {
-        (a.0 * b.0, a.1 * b.1)
-    }
-    fn recip(&mut self, a: &Self::Value) -> Self::Value {
-        // A reciprocal loses as many digits as its argument lost by cancellation.
-        (1.0 / a.0, a.1 / (a.0 * a.0))
-    }
-    fn function(&mut self, function: Function, arguments: &[Self::Value]) -> Self::Value {
-        let values: Vec<f64> = arguments.iter().map(|a| a.0).collect();
-        let x = match function {
-            // What holds for every function holds for this one.
-            Function::Given(at) => (0.7 * values[0] + f64::from(at)).sin() + 0.3 * values[0],
-            _ => super::evaluate::double(function, &values),
-        };
-        (x, x.abs() + arguments.iter().map(|a| a.1).sum::<f64>())
     }
 }

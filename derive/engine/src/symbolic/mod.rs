@@ -3,6 +3,7 @@
 //! | file | idea |
 //! |---|---|
 //! | [`blocks`] | block-triangular form, cofactors |
+//! | [`minors`] | the adjugate of a larger block |
 //! | [`rational`] | exact numbers, small ones without allocation |
 //! | [`node`] | what an expression is: symbols, n-ary sums and products, functions |
 //! | [`given`] | functions of the user's |
@@ -16,6 +17,7 @@
 //! | [`modular`] | arithmetic modulo a prime of 61 bits |
 //! | [`identity`] | identity decided by modular evaluation |
 //! | [`tables`] | sets of expressions and tables over them |
+//! | [`samples`] | values in double precision, for what holds roots |
 //! | [`matrix`] | matrices of expressions |
 //! | [`display`] | text for messages and documentation |
 
@@ -30,9 +32,11 @@ pub mod given;
 pub mod graph;
 pub mod identity;
 pub mod matrix;
+pub mod minors;
 pub mod modular;
 pub mod node;
 pub mod rational;
+pub mod samples;
 pub mod substitute;
 pub mod tables;
 #[cfg(test)]
