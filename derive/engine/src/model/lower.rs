@@ -35,16 +35,16 @@ pub(super) struct Vocabulary<'a> {
     pub accelerations: Vec<Symbol>,
     /// The second rates of the initial coordinates; the rates of the speeds themselves where these have no names.
     pub second_rates: Vec<Symbol>,
-    /// The rates of `further`; empty before the configuration is built.
-    pub further_rates: Vec<Symbol>,
+    /// The rates of `further`; those that nothing has mentioned come with the configuration.
+    pub further_rates: Vec<Option<Symbol>>,
     /// The quasi-velocities of the configuration.
     pub quasi: Vec<Symbol>,
     /// The independent speeds of `velocities(of(..))`.
     pub free: Vec<Symbol>,
-    /// The second rates of `further`; empty before the outputs are built.
-    pub further_accelerations: Vec<Symbol>,
-    /// The rates of the quasi-velocities; empty before the outputs are built.
-    pub quasi_rates: Vec<Symbol>,
+    /// The second rates of `further`, where something has mentioned them.
+    pub further_accelerations: Vec<Option<Symbol>>,
+    /// The rates of the quasi-velocities, where something has mentioned them.
+    pub quasi_rates: Vec<Option<Symbol>>,
     pub inputs: Vec<Symbol>,
     /// The reactions that are mentioned: the place of their constraint in the list, and where they are first.
     pub reactions: Vec<(usize, Symbol, Span)>,
@@ -101,16 +101,16 @@ impl<'a> Vocabulary<'a> {
             used: vec![false; fields.len()],
             fields,
             coordinates,
+            further_rates: vec![None; further.len()],
+            further_accelerations: vec![None; further.len()],
+            quasi_rates: vec![None; quasi.len()],
             further,
             speeds,
             rates,
             accelerations,
             second_rates,
-            further_rates: Vec::new(),
             quasi,
             free,
-            further_accelerations: Vec::new(),
-            quasi_rates: Vec::new(),
             inputs,
             reactions: Vec::new(),
             outputs: Vec::new(),

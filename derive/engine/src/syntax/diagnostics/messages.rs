@@ -203,9 +203,11 @@ messages! {
     output_twice(name) =
         "there is an output `{name}` already";
     output_later(name) =
-        "the output `{name}` is not known yet: an output may mention those above it";
+        "the output `{name}` is not known here: an output may mention those above it";
     output_out_of_place(name) =
         "`{name}` is an output, which only other outputs may mention; name it by `define` to use it elsewhere";
+    constraint_as_name(name) =
+        "`{name}` is a constraint; its multiplier is written `reaction({name})`, in outputs";
     reaction_of_no_constraint(name, constraints) =
         "there is no constraint `{name}`: {constraints}";
     reaction_of_expression() =
@@ -371,6 +373,8 @@ messages! {
         "`{name}` is {what}; `start` gives values of coordinates and speeds";
     start_twice(name) =
         "`{name}` has a value already";
+    nominal_of_array(found, array, entries) =
+        "`nominal` gives {found}, but `{array}` has {entries}; give one value for all of them, or one for each";
     nominal_of_no_scalar(name) =
         "the field `{name}` is no parameter; `nominal` needs `f64` or a type parameter";
 }
