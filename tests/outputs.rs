@@ -241,3 +241,35 @@ fn what_cannot_be_held_says_why() {
     let error = pendulum.assemble(swinging()).set("speed", f64::NAN).solve().expect_err("refused");
     assert_eq!(error, Error::NonFinite { name: "speed" });
 }
+
+/// A skater whose independent speeds are combinations: the mean of two wheels, and in another chart their difference.
+#[derive(ConstrainedSystem, Clone, Debug)]
+#[coordinates(x, y)]
+#[inertia(diag(m, 2*m))]
+#[forces(0, -k*y)]
+#[constraint(steer: dot(x)*cos(t) == dot(y)*sin(t))]
+#[independent(mean = (dot(x) + dot(y))/2)]
+#[independent(split = dot(x) - dot(y))]
+#[define(twice = 2*mean)]
+#[output(mean, twice, split, rate = ddot(x) - ddot(y), pull = reaction(steer))]
+struct Combined {
+    m: f64,
+    k: f64,
+}
+
+#[test]
+fn combinations_of_speeds_stand_in_outputs() {
+    let model = Combined { m: 1.5, k: 2.0 }.prepare().expect("good parameters");
+    let s = State::<Combined> { x: 0.3, y: -0.2, mean: 0.7 };
+    let t = 0.4;
+    let (v, rates) = (model.velocities(t, &s), model.velocity_rates(t, &s, &[]));
+    let outputs = model.outputs(t, &s, &[]);
+    assert!(close(outputs.mean, 0.7) && close(outputs.twice, 1.4) && close(outputs.split, v.dot_x - v.dot_y));
+    assert!(close(outputs.rate, rates.dot_x - rates.dot_y));
+    let lambda = model.multipliers(t, &s, &[]);
+    let (w, dw) = ([v.dot_x, v.dot_y], [rates.dot_x, rates.dot_y]);
+    let carried = model.carried_outputs(t, &s, (&w, &dw), &lambda, &[]);
+    for (one, other) in <[f64; 5]>::from(outputs).iter().zip(<[f64; 5]>::from(carried)) {
+        assert!(close(*one, other), "{outputs:?} {carried:?}");
+    }
+}

@@ -1,6 +1,6 @@
 //! What emitted code claims at a state.
 
-use crate::oracle::{Claim, Multiplier};
+use crate::oracle::{ChartClaim, Claim, Multiplier};
 use crate::support::running::{dense, entries};
 use holonomy::{ConstrainedSystem, Dual, Prepared, Scalar, Vector};
 
@@ -77,8 +77,32 @@ pub fn claim<M: ConstrainedSystem>(model: &Prepared<M>, t: f64, q: &[f64], u: &[
         forces: entries(&model.forces(t, &x, &v, &i)),
         kinetic_energy: model.kinetic_energy(t, &x, &v),
         potential_energy: model.potential_energy(t, &x),
+        charts: (0..M::MODEL.charts.len()).map(|chart| in_chart(model, chart, t, &s, &i)).collect(),
         outputs: outputs.zip(entries(&model.outputs(t, &s, &i))).collect(),
         carried_outputs,
+    }
+}
+
+/// The same state in the speeds of a chart.
+fn in_chart<M: ConstrainedSystem>(
+    model: &Prepared<M>,
+    chart: usize,
+    t: f64,
+    s: &M::State<f64>,
+    i: &M::Inputs<f64>,
+) -> ChartClaim {
+    let first = M::MODEL.state_coordinates.len();
+    let u = entries(&model.chart_speeds(chart, t, s, &model.velocities(t, s)));
+    let y = entries(s);
+    let s = M::State::<f64>::from_fn(|i| if i < first { y[i] } else { u[i - first] });
+    let (rate, guards) = M::chart_derivative(chart, model.values(), t, &s, i);
+    let (rate, guards) = (entries(&rate), entries(&guards));
+    ChartClaim {
+        velocities: entries(&M::chart_velocities(chart, model.values(), t, &s)),
+        coordinate_rates: rate[..first].to_vec(),
+        accelerations: rate[first..].to_vec(),
+        guards: guards[..M::MODEL.charts[chart].guards.len()].to_vec(),
+        speeds: u,
     }
 }
 

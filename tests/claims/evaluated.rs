@@ -1,7 +1,7 @@
 //! What the engine's equations claim at a state, by evaluating its expressions.
 
-use crate::oracle::{Claim, Dual, Multiplier, Number, System};
-use holonomy_engine::projection::{AsIs, Equations, project};
+use crate::oracle::{ChartClaim, Claim, Dual, Multiplier, Number, System};
+use holonomy_engine::projection::{AsIs, Equations, Guard, project};
 use holonomy_engine::symbolic::{Algebra, Expr, Function, Matrix, Rational, Symbol};
 use holonomy_engine::{model, syntax};
 use nalgebra::DMatrix;
@@ -123,6 +123,31 @@ impl Evaluated<'_> {
         self.of_state(&self.equations.velocities, t, q, u)
     }
 
+    /// The state (q, u) in the speeds of a chart.
+    fn in_chart(&self, chart: usize, t: f64, q: &[f64], u: &[f64], v: &[f64]) -> ChartClaim {
+        let e = self.equations;
+        // v replaces what a speed of the same symbol is in the state
+        let mut algebra = self.values(t, [(&e.state_coordinates, q), (&e.state_speeds, u)]);
+        algebra.0.extend(e.speeds.iter().copied().zip(v.iter().copied()));
+        let speeds = e.graph.evaluate_in(&e.chart_speeds[chart], &mut algebra);
+        let guards = |guards: &[Guard]| guards.iter().map(|guard| guard.expr).collect::<Vec<_>>();
+        let (symbols, rates, accelerations, velocities, guards) = match chart.checked_sub(1).map(|at| &e.charts[at]) {
+            Some(c) => (&c.speeds, &c.coordinate_rates, &c.accelerations, &c.velocities, guards(&c.guards)),
+            None => (&e.state_speeds, &e.coordinate_rates, &e.accelerations, &e.velocities, guards(&e.guards)),
+        };
+        let value = |expressions: &[Expr]| {
+            let mut algebra = self.values(t, [(&e.state_coordinates, q), (symbols, &speeds)]);
+            e.graph.evaluate_in(expressions, &mut algebra)
+        };
+        ChartClaim {
+            velocities: value(velocities),
+            coordinate_rates: value(rates),
+            accelerations: value(accelerations),
+            guards: value(&guards),
+            speeds,
+        }
+    }
+
     /// Everything that the equations say about the state (q, u).
     pub fn claim(&self, t: f64, q: &[f64], u: &[f64]) -> Claim {
         let e = self.equations;
@@ -192,6 +217,7 @@ impl Evaluated<'_> {
             forces: initial(&e.forces),
             kinetic_energy: initial(&[e.kinetic_energy])[0],
             potential_energy: e.potential_energy.map(|potential| initial(&[potential])[0]),
+            charts: (0..e.chart_speeds.len()).map(|chart| self.in_chart(chart, t, q, u, &velocities)).collect(),
             outputs,
             carried_outputs,
             coordinates,

@@ -63,6 +63,7 @@ pub struct Random2 {
 )]
 #[constraint(height: 1.72*x1 + 0.20*sin(x1) + 0.30*sin(0.95*t) + 0.28 == 0)]
 #[constraint(height_rate: 1.72*dot(x1) + 0.20*cos(x1)*dot(x1) + 0.30*0.95*cos(0.95*t) == 0)]
+#[output(place = sin(0.44*t + 0.42), power = v1*v1/1.28, push = sin(0.56*t)*dot(v1) + v1*ddot(x1))]
 pub struct Random4 {
     #[nominal(1.47)]
     pub p1: f64,
@@ -83,6 +84,7 @@ pub struct Random4 {
 #[constraint(height: 1.28*x1 + 0.30*sin(1.02*t) + 0.24 == 0)]
 #[constraint(first: (1.50 + 0.24*powi(cos(1.06*t), 3))*dot(x2) - 0.32*sin(0.54*x2 - 0.82*x1)*cos(0.57*x2)*dot(x1) == 0)]
 #[constraint(second: 1.28*dot(x1) + 0.30*1.02*cos(1.02*t) - 0.50*cos(0.63*t - 0.67*t)*((1.50 + 0.24*powi(cos(1.06*t), 3))*dot(x2) - 0.32*sin(0.54*x2 - 0.82*x1)*cos(0.57*x2)*dot(x1)) == 0)]
+#[output(place = sin(p1*t + 0.56), power = p1*x2 - 0.36*dot(x1)/(1 + powi(x2, 2)), push = ln(1.60 + 0.63*cos(x2))*ddot(x2) + dot(x2)*ddot(x2))]
 pub struct Random5 {
     #[nominal(1.25)]
     pub p1: f64,
@@ -105,6 +107,7 @@ pub struct Random5 {
 )]
 #[potential_energy(cos(0.98*x2 - 0.60*x2 + 1.17))]
 #[configuration(x1 = 0.85*sin(0.63*x2 - 1.00))]
+#[output(place = powi(cos(0.44*x1), 3), power = p2*x1 + p1*v2*v2*x2/(1 + powi(x2, 2)), push = 0.96*sin(x2)/(1.50 + cos(x1))*dot(v2) + v2*ddot(x2))]
 pub struct Random6 {
     #[nominal(1.31)]
     pub p1: f64,
@@ -124,6 +127,7 @@ pub struct Random6 {
 )]
 #[potential_energy(exp(-powi(x2, 2)/2))]
 #[configuration(of(q1, q2), x1 = 1.25*q1, x2 = 1.25*q2)]
+#[output(place = atan2(x2, 2 + cos(x2))/2, power = p1*exp(0.20*x2) + p1*x2, push = ln(1.60 + 0.67*cos(x1))*ddot(x2) + dot(x1)*ddot(x1))]
 pub struct Random7 {
     #[nominal(1.36)]
     pub p1: f64,
@@ -148,6 +152,7 @@ pub struct Random7 {
     0,
 )]
 #[configuration(x1 = 0.54*cos(0.81*t + 1.45))]
+#[output(place = exp(-powi(x1, 2)/2), power = v2*v2/(1.02 + 0.26*ln(1.60 + 0.81*cos(x2))) - 0.31*v1/(1 + powi(t, 2)) - 1.11*v1, push = ln(1.60 + 0.99*cos(t))*dot(v1) + v1*ddot(x1))]
 pub struct Random8 {
     #[nominal(0.54)]
     pub p1: f64,
@@ -172,6 +177,7 @@ pub struct Random8 {
 #[complement(
     w1 = [1.21, -1.21*(0.21*sin(0.85*t))],
 )]
+#[output(place = cos(1.15*x1 + 0.55*x1 - 0.75), power = p3*exp(0.20*x2) + 0.35*sin(0.95*t - 0.50*t) + 1.03*exp(-powi(x1, 2)/2) + p3*v2*v2*sin(1.00*x1), push = sin(1.02*t - 0.59*t)*dot(v2) + v1*ddot(x1), pull = (1.01 + 0.27*1/sqrt(1.50 + powi(x1, 2)))*reaction(row1) - push, share = pull/(1.07 + powi(reaction(row1), 2)))]
 pub struct Random9 {
     #[nominal(0.53)]
     pub p1: f64,
@@ -286,6 +292,7 @@ pub struct Random14 {
 #[constraint(row2: 1.89*v2 - 0.19*sin(v2 + 1/sqrt(1.50 + powi(x1, 2))*v1) - 0.37*sin(p1*x3 + 0.62) == 0)]
 #[constraint(row3: (1.50 + 0.22*exp(-powi(x1, 2)/2))*dot(v3) + 0.20*powi(cos(0.74*x1 + 0.22), 3)*dot(v1) - 0.19*x1/(1 + powi(x1, 2))*dot(v2) - 0.56*v2/sqrt(1.20 + powi(v1, 2)) == 0)]
 #[independent(v3, v2)]
+#[output(place = cos(0.65*x2), power = p3*v1*v3*powi(cos(0.42*x1 + 0.38*x2), 3) - v2*sqrt(2 + powi(v3, 2)) - 1.65*v3 - 0.33*sin(p2*x3 + 0.91), push = atan2(x3, 2 + cos(x1))/2*dot(v2) + v1*ddot(x1), pull = (1.17 - 0.16*0.34*sin(x2)/(1.50 + cos(x3)))*reaction(row1) - push, share = pull/(1.72 + powi(reaction(row1), 2)))]
 pub struct Random16 {
     #[nominal(1.42)]
     pub p1: f64,
@@ -307,6 +314,7 @@ pub struct Random16 {
 #[constraint(row1: 1.83*dot(x1) + 0.22*sin(0.85*x2)*dot(x2)*dot(x2) + 0.56*t/(1 + powi(t, 2)) == 0)]
 #[constraint(again1: (1.23 + 0.33*sin(0.66*t))*(1.83*dot(x1) + 0.22*sin(0.85*x2)*dot(x2)*dot(x2) + 0.56*t/(1 + powi(t, 2))) == 0, redundant)]
 #[constraint(again2: (1.29 + 0.19*exp(-powi(t, 2)/2))*(1.83*dot(x1) + 0.22*sin(0.85*x2)*dot(x2)*dot(x2) + 0.56*t/(1 + powi(t, 2))) == 0, redundant)]
+#[output(place = sin(0.87*t - 0.46), power = p3*exp(0.20*x2) + p1*x2, push = sin(1.16*t + 1.49)*cos(0.61*x1 - 0.71*x1)*ddot(x2) + dot(x1)*ddot(x1), pull = (1.01 + 0.27*powi(cos(0.40*x1), 3))*reaction(row1) - push, share = pull/(1.92 + powi(reaction(row1), 2)))]
 pub struct Random17 {
     #[nominal(1.15)]
     pub p1: f64,
@@ -326,6 +334,7 @@ pub struct Random17 {
 #[potential_energy(1/sqrt(1.50 + powi(x2, 2)))]
 #[constraint(row1: (1.50 + 0.28*sin(p1*x2 + 0.69))*dot(x1) - 0.46*cos(0.80*x1 + 0.87*x1 + 1.33) == 0)]
 #[constraint(row2: (1.50 + 0.11*sin(0.80*x1 - 0.88*x1))*dot(x2) - 0.23*sin(0.99*x2 + 0.69)*dot(x1) + 0.56*powi(cos(0.66*x2 - 0.75), 3) == 0)]
+#[output(place = sin(0.73*x1 - 0.67*x2 + 0.61)*cos(0.94*x1 - 0.19), power = p1*1.46 + 1.46*powi(dot(x2), 2) + p1*exp(0.20*x2), push = atan2(x2, 2 + cos(x2))/2*ddot(x2) + dot(x1)*ddot(x1), pull = (1.35 - 0.23*0.92*sin(x2)/(1.50 + cos(x1)))*reaction(row2) - push, share = pull/(1.26 + powi(reaction(row2), 2)))]
 pub struct Random18 {
     #[nominal(1.24)]
     pub p1: f64,
@@ -375,6 +384,7 @@ pub struct Random19 {
 )]
 #[potential_energy(sin(0.45*x2))]
 #[constraint(row1: (1.50 + 0.30*powi(cos(0.74*x2 + 0.31*t), 3))*v1 - 0.33*powi(cos(0.49*x1), 3)*v2 + 0.27*sin(0.61*t + 0.88) == 0)]
+#[output(place = tan(0.77*sin(x1))/2, power = 1.51*powi(v2, 2) + v1*sqrt(2 + powi(v2, 2)), push = sin(0.62*x1 + 0.47*t)*dot(v2) + v1*ddot(x1), pull = (1.21 - 0.16*tan(0.80*sin(x1))/2)*reaction(row1) - push, share = pull/(1.99 + powi(reaction(row1), 2)))]
 pub struct Random21 {
     #[nominal(1.27)]
     pub p1: f64,
@@ -404,6 +414,7 @@ pub struct Random22 {
 #[potential_energy(sin(1.08*x2))]
 #[constraint(row1: 1.72*x1 - 0.45 == 0)]
 #[constraint(row2: (1.50 + 0.13*sin(0.77*x2))*dot(x2) + 0.25*sin(0.92*x2)*cos(0.56*x2 - 0.32*x2)*dot(x1) == 0)]
+#[output(place = cos(0.42*x2), power = dot(x1)*dot(x1)/1.11 + 1.35*x2/(1 + powi(x2, 2)) + p1*0.90, push = powi(cos(0.85*x1 + 0.43*x2 + 0.56), 3)*ddot(x2) + dot(x2)*ddot(x2), pull = (1.35 + 0.32*sin(p1*x2 + 0.52))*reaction(row2) - push, share = pull/(1.46 + powi(reaction(row2), 2)))]
 pub struct Random23 {
     #[nominal(0.74)]
     pub p1: f64,
@@ -425,6 +436,7 @@ pub struct Random23 {
 )]
 #[constraint(height: 1.62*x1 + 0.11*sin(x1) + 0.32*powi(x2, 2)/2 - 0.22 == 0)]
 #[constraint(height_rate: 1.62*dot(x1) + 0.11*cos(x1)*dot(x1) + 0.32*x2*dot(x2) == 0)]
+#[output(place = 0.71*sin(x1)/(1.50 + cos(x2)), power = 1.03*sin(0.50*x2 - 0.22*x1) - 0.83*v1/(1 + powi(x1, 2)) - p2*v1*v1*sin(p2*x1 + 0.11) - p1*x2, push = 0.88*sin(x2)/(1.50 + cos(x1))*dot(v1) + v2*ddot(x2))]
 pub struct Random24 {
     #[nominal(1.14)]
     pub p1: f64,
@@ -473,6 +485,7 @@ pub struct Random25 {
     0.74*cos(0.81*x2 + 0.25*x3) + p2*x1 + 1.79*dot(x2),
 )]
 #[configuration(x1 = 1.49*ln(1.60 + 0.83*cos(x2)))]
+#[output(place = x1/(1 + powi(x1, 2)), power = 1.94*powi(dot(x1), 2), push = cos(0.77*x3 - 0.90*x1 - 0.26)*ddot(x1) + dot(x3)*ddot(x3))]
 pub struct Random26 {
     #[nominal(0.87)]
     pub p1: f64,
@@ -520,6 +533,7 @@ pub struct Random27 {
 #[complement(
     w1 = [1.26, -1.26*(0.59*tan(0.52*sin(x2))/2)],
 )]
+#[output(place = exp(-powi(t, 2)/2), power = 1.67*dot(x1) + dot(x2)*dot(x1)/(1.07 - 0.17*sin(p3*x1 + 0.24)) + p3*t + p1*0.97, push = tan(0.88*sin(x2))/2*ddot(x2) + dot(x1)*ddot(x1), pull = 1.39*reaction(row1) - push, share = pull/(1.71 + powi(reaction(row1), 2)))]
 pub struct Random29 {
     #[nominal(1.20)]
     pub p1: f64,
@@ -564,6 +578,7 @@ pub struct Random30 {
 #[constraint(row1: 1.34*x1 + 0.20*sin(x1) + 0.66 == 0)]
 #[constraint(row2: 1.34*x3 + 0.22*x1 + 0.21 == 0)]
 #[constraint(row3: 1.94*dot(x2) - 0.17*sin(p2*x2 - 0.19)*dot(x1) + 0.23*x1/(1 + powi(x1, 2))*dot(x3) == 0)]
+#[output(place = sin(0.70*x1 + 0.88*x2), power = 1.87*dot(x2) + dot(x3)*dot(x2)/(1.03 + 0.32*x1/(1 + powi(x1, 2))), push = powi(cos(0.95*x3 - 0.82*x2), 3)*ddot(x3) + dot(x1)*ddot(x1), pull = (1.28 + 0.17*x3/(1 + powi(x3, 2)))*reaction(row3) - push, share = pull/(1.32 + powi(reaction(row3), 2)))]
 pub struct Random31 {
     #[nominal(0.80)]
     pub p1: f64,
@@ -610,6 +625,7 @@ pub struct Random32 {
 #[constraint(row1: dot(v3) - 0.36*v3/sqrt(1.20 + powi(v2, 2)) == 0)]
 #[constraint(row2: dot(v2) + 0.15*sin(1.08*x2 - 0.34*x1)*dot(v3) - 0.27*v1 - 0.27*x3/(1 + powi(x3, 2)) == 0)]
 #[constraint(row3: (1.50 + 0.22*sin(p2*x1 + 0.12))*dot(v1) - 0.16*sin(p2*x3 + 0.57)*dot(v3) - 0.14*exp(-powi(x2, 2)/2)*dot(v2) - 0.35*v2/sqrt(1.20 + powi(v1, 2)) == 0)]
+#[output(place = tan(0.87*sin(x3))/2, power = v3*sqrt(2 + powi(v2, 2)) - p2*0.77 - p1*exp(0.20*x3) - p1*x3, push = exp(-powi(x3, 2)/2)*dot(v2) + v1*ddot(x1), pull = (1.04 - 0.32*ln(1.60 + 0.66*cos(x3)))*reaction(row3) - push, share = pull/(1.39 + powi(reaction(row3), 2)))]
 pub struct Random33 {
     #[nominal(0.79)]
     pub p1: f64,
@@ -628,6 +644,7 @@ pub struct Random33 {
 #[constraint(row1: 1.58*x2 + 0.15*sin(x2) + 0.19 == 0)]
 #[constraint(row2: 1.35*x3 + 0.23*sin(x3) + 0.13*x2*x2 + 0.31 == 0)]
 #[constraint(row3: powi(dot(x1), 2) + 0.25*powi(dot(x2), 2) - (2 + 0.25*1/sqrt(1.50 + powi(x3, 2))) == 0)]
+#[output(place = cos(0.84*x3), power = p2*exp(0.20*x1) - 1.11*dot(x3)/(1 + powi(x3, 2)) - p1*x1, push = sin(1.01*x3)*ddot(x3) + dot(x1)*ddot(x1), pull = (1.35 + 0.15*cos(0.45*x2 - 0.32*x3))*reaction(row3) - push, share = pull/(1.30 + powi(reaction(row3), 2)))]
 pub struct Random34 {
     #[nominal(0.80)]
     pub p1: f64,
@@ -653,6 +670,7 @@ pub struct Random34 {
 )]
 #[constraint(row1: 1.33*x3 + 0.27*x1 + 0.30*sin(1.32*t) - 0.27 == 0)]
 #[constraint(row2: 1.52*dot(v2) + 0.12*ln(1.60 + 0.38*cos(x2))*dot(v1) - 0.18*cos(0.42*x2 - 1.25)*dot(v3) + 0.45*v1 + 0.45*powi(cos(0.83*x3 - 0.88*t), 3) == 0)]
+#[output(place = x2/(1 + powi(x2, 2)), power = 0.65*powi(v3, 2) - p1*v1*v3*cos(0.54*x2), push = exp(-powi(x2, 2)/2)*dot(v1) + v1*ddot(x1), pull = (1.12 + 0.28*sin(p1*x3 + 0.80))*reaction(row2) - push, share = pull/(1.95 + powi(reaction(row2), 2)))]
 pub struct Random35 {
     #[nominal(1.15)]
     pub p1: f64,
@@ -680,6 +698,7 @@ pub struct Random35 {
 #[constraint(row1: 1.66*v1 + 0.53*cos(0.65*x1) == 0)]
 #[constraint(row2: 1.37*v3 + 0.25*sqrt(1.50 + powi(v1, 2) + powi(v1, 2)) - 0.43*0.68*sin(x2)/(1.50 + cos(x2)) == 0)]
 #[constraint(row3: 1.78*dot(v2) - 0.22*ln(1.60 + 0.95*cos(x3))*dot(v1) + 0.25*sin(0.60*x1 - 0.46)*dot(v3) + 0.79*v3*v3*tan(0.91*sin(x3))/2 == 0)]
+#[output(place = sin(0.61*x2 + 0.97), power = 0.40*ln(1.60 + 0.89*cos(x1)) + p1*0.68, push = powi(cos(0.98*x3 - 0.51*x2 + 1.44), 3)*dot(v3) + v2*ddot(x2), pull = 1.34*reaction(row2) - push, share = pull/(1.00 + powi(reaction(row2), 2)))]
 pub struct Random36 {
     #[nominal(0.54)]
     pub p1: f64,
@@ -748,6 +767,7 @@ pub struct Random38 {
 #[constraint(held_x3: x3 - (0.68*cos(1.10*x2)) == 0)]
 #[constraint(held_x1: x1 - (1.15*sin(0.99*x2 + 0.50*x2 - 1.40)) == 0)]
 #[constraint(bound: powi(dot(x2), 2) + 0.19*powi(dot(x3), 2) - (2 + 0.19*sin(0.56*x1)*cos(1.00*x3)) == 0)]
+#[output(place = cos(0.96*x1 + 0.25*x1), power = p2*x1, push = sin(0.66*x1 - 0.23*x1 + 1.20)*ddot(x2) + dot(x3)*ddot(x3), pull = 1.26*reaction(held_x3) - push, share = pull/(1.72 + powi(reaction(held_x3), 2)))]
 pub struct Random39 {
     #[nominal(1.14)]
     pub p1: f64,
@@ -776,6 +796,7 @@ pub struct Random39 {
     0,
     1.15*powi(v1, 2),
 )]
+#[output(place = 0.87*sin(x2)/(1.50 + cos(x1)), power = p1*v1*v2*ln(1.60 + 0.42*cos(x1)) + p1*exp(0.20*x2), push = 1/sqrt(1.50 + powi(x4, 2))*dot(v3) + v4*ddot(x4))]
 pub struct Random40 {
     #[nominal(0.87)]
     pub p1: f64,
@@ -844,7 +865,7 @@ pub struct Random42 {
 #[constraint(height: 1.35*x1 + exp(0.23*x3)/2 + 0.30*sin(0.98*t) - 0.50 == 0)]
 #[constraint(height_rate: 1.26*(1.35*dot(x1) + 0.23*exp(0.23*x3)*dot(x3)/2 + 0.30*0.98*cos(0.98*t)) == 0)]
 #[constraint(further: 1.34*dot(x2) - 0.13*1/sqrt(1.50 + powi(x2, 2))*dot(x3) + 0.36*sin(0.42*x3 - 0.58*x1) == 0)]
-#[independent(dot(x3))]
+#[independent(s1 = (1.50 - 0.20*exp(-powi(x1, 2)/2))*dot(x3) - 0.18*cos(0.93*x2)*dot(x1))]
 pub struct Random44 {
     #[nominal(1.03)]
     pub p1: f64,
@@ -877,7 +898,7 @@ pub struct Random44 {
 #[constraint(height: 1.38*x3 + 0.25*sin(x3) + 0.37*x1*x1 + exp(0.18*x2)/2 + 0.30*sin(0.86*t) - 0.77 == 0)]
 #[constraint(first: (1.50 + 0.11*powi(cos(1.17*x2), 3))*v4 - 0.32*powi(cos(1.06*x4 - 0.51*t), 3)*v1 + 0.30*exp(-powi(x3, 2)/2)*v2 == 0)]
 #[constraint(second: 1.38*dot(x3) + 0.25*cos(x3)*dot(x3) + 0.37*(dot(x1)*x1 + x1*dot(x1)) + 0.18*exp(0.18*x2)*dot(x2)/2 + 0.30*0.86*cos(0.86*t) - 0.50*cos(0.49*x4)*((1.50 + 0.11*powi(cos(1.17*x2), 3))*v4 - 0.32*powi(cos(1.06*x4 - 0.51*t), 3)*v1 + 0.30*exp(-powi(x3, 2)/2)*v2) == 0)]
-#[independent(v2, v1)]
+#[independent(s1 = 1.70*v2 - 0.25*powi(cos(0.62*x3 + 0.59*x2), 3)*v3 + 0.45*ln(1.60 + 0.76*cos(x1)), s2 = 1.78*v1 + 0.29*sin(1.10*x4 + 0.80)*cos(1.17*t - 0.55)*v2)]
 pub struct Random45 {
     #[nominal(0.94)]
     pub p1: f64,
@@ -955,6 +976,7 @@ pub struct Random48 {
 #[complement(
     w1 = [-(1.07 + 0.30*ln(1.60 + 0.39*cos(x2)))*(0.27*powi(cos(0.69*x1 + 0.87), 3)), -(1.07 + 0.30*ln(1.60 + 0.39*cos(x2)))*(0.61*0.63*sin(x1)/(1.50 + cos(x1))), (1.07 + 0.30*ln(1.60 + 0.39*cos(x2))), -(1.07 + 0.30*ln(1.60 + 0.39*cos(x2)))*(0.21*1/sqrt(1.50 + powi(x2, 2)))],
 )]
+#[output(place = 1/sqrt(1.50 + powi(x3, 2)), power = p1*1.22 + p1*x1 + p1*exp(0.20*x1), push = tan(0.66*sin(x2))/2*ddot(x4) + dot(x4)*ddot(x4), pull = 1.32*reaction(row3) - push, share = pull/(1.81 + powi(reaction(row3), 2)))]
 pub struct Random49 {
     #[nominal(0.52)]
     pub p1: f64,
@@ -980,7 +1002,8 @@ pub struct Random49 {
 #[constraint(row1: 1.09*v2 - 0.29*tan(0.66*sin(x4))/2*v1 == 0)]
 #[constraint(row2: (1.50 + 0.25*sin(p1*x2 - 0.92))*v4 - 0.25*sin(0.43*x3 + 0.52*x3)*cos(0.49*x1)*v1 - 0.18*sin(p2*x3 - 0.11)*v2 == 0)]
 #[constraint(row3: 1.04*v3 - 0.13*cos(0.61*x3 - 0.54*x3)*v1 + 0.11*ln(1.60 + 0.77*cos(x1))*v2 - 0.17*sin(0.54*x1 + 0.73*x1)*cos(0.99*x1 - 0.82*x2 - 0.21)*v4 == 0)]
-#[independent(v1)]
+#[independent(s1 = (1.50 + 0.27*cos(0.75*x2))*v1 - 0.22*exp(-powi(x3, 2)/2)*v2)]
+#[output(place = sin(0.99*x1 - 0.87*x4), power = p2*x2, push = tan(0.82*sin(x3))/2*dot(v1) + v2*ddot(x2), pull = 1.22*reaction(row3) - push, share = pull/(1.02 + powi(reaction(row3), 2)))]
 pub struct Random50 {
     #[nominal(1.15)]
     pub p1: f64,
@@ -998,6 +1021,7 @@ pub struct Random50 {
     dot(x4)*dot(x1)/(1.08 + 0.24*cos(0.66*x1 - 0.89*x2)) - dot(x1)*sqrt(2 + powi(dot(x1), 2)),
 )]
 #[constraint(row1: 1.37*dot(x3) + 0.13*sin(0.50*x4)*dot(x2)*dot(x4) + 0.35*sin(1.16*x1 - 0.45) == 0)]
+#[output(place = exp(-powi(x4, 2)/2), power = 1.55*x2/(1 + powi(x2, 2)) - 1.99*dot(x4)/(1 + powi(t, 2)) - p1*0.34, push = sin(p1*x1 - 0.72)*ddot(x1) + dot(x4)*ddot(x4), pull = 1.03*reaction(row1) - push, share = pull/(1.41 + powi(reaction(row1), 2)))]
 pub struct Random52 {
     #[nominal(0.68)]
     pub p1: f64,
@@ -1039,6 +1063,7 @@ pub struct Random53 {
 #[constraint(row1: 1.08*v2 == 0)]
 #[constraint(row2: (1.50 - 0.22*cos(0.89*x3 - 0.30*x3 + 0.97))*v1 + 0.22*sin(0.79*x1 - 0.60*x2)*v2 == 0)]
 #[constraint(row3: ddot(x3) + 0.17*0.56*sin(x3)/(1.50 + cos(x2))*dot(v2) - 0.17*ln(1.60 + 0.84*cos(x1))*dot(v1) + 0.38*v3*v2*atan2(x1, 2 + cos(x2))/2 == 0)]
+#[output(place = exp(-powi(x2, 2)/2), power = tau*1.50 - p2*v1*v3*sin(0.52*x2 - 1.37) - 1.49*powi(v2, 2) - p1*x1, push = ln(1.60 + 0.69*cos(x1))*dot(v2) + v3*ddot(x3), pull = 1.29*reaction(row1) - push, share = pull/(1.85 + powi(reaction(row1), 2)))]
 pub struct Random55 {
     #[nominal(0.77)]
     pub p1: f64,
@@ -1057,6 +1082,7 @@ pub struct Random55 {
 #[constraint(row1: (1.50 - 0.16*sin(p1*t - 0.82))*dot(x3) == 0)]
 #[constraint(row2: 1.31*dot(x2) + 0.23*sin(dot(x2) + powi(cos(0.93*x3 - 0.77*x1), 3)*dot(x3)) - 0.58*sin(0.42*t) == 0)]
 #[constraint(row3: ddot(x1) + 0.23*sin(0.63*x3)*ddot(x3) + 0.25*tan(0.99*sin(x1))/2*ddot(x2) + 0.20*powi(cos(1.02*t - 0.30*t), 3) == 0)]
+#[output(place = 0.39*sin(x1)/(1.50 + cos(x3)), power = 1.00*dot(x3) - 0.63*dot(x1)/(1 + powi(t, 2)) - p1*x2 - dot(x1)*dot(x3)/(1.17 + 0.20*exp(-powi(x2, 2)/2)), push = sin(0.64*x2 - 0.55*t)*ddot(x3) + dot(x2)*ddot(x2), pull = 1.37*reaction(row3) - push, share = pull/(1.85 + powi(reaction(row3), 2)))]
 pub struct Random56 {
     #[nominal(0.94)]
     pub p1: f64,
@@ -1133,6 +1159,7 @@ pub struct Random60 {
 #[constraint(row1: 1.47*dot(x4) + 0.18*cos(0.59*x3 - 0.31*x3 + 0.77)*dot(x2) - 0.21*cos(1.05*x2)*dot(x3) == 0)]
 #[constraint(row2: (1.50 - 0.17*x4/(1 + powi(x4, 2)))*dot(x1) + 0.12*powi(cos(1.10*x1), 3)*dot(x2) - 0.28*sin(p2*x1 - 0.28)*dot(x3) - 0.30*cos(0.44*x3 - 0.71*x2 + 0.43) == 0)]
 #[independent(dot(x3), dot(x2))]
+#[output(place = sin(0.71*x2 + 0.56*x1)*cos(0.84*x1 + 0.83*x1 + 0.30), power = 1.69*dot(x4)/(1 + powi(x3, 2)) - p2*dot(x1)*dot(x4)*sin(0.52*x1 - 1.42) - p1*dot(x3)*dot(x2)*sin(p2*x4 + 0.47), push = sin(0.92*x2)*ddot(x4) + dot(x1)*ddot(x1), pull = (1.08 - 0.31*0.89*sin(x4)/(1.50 + cos(x2)))*reaction(row2) - push, share = pull/(1.25 + powi(reaction(row2), 2)))]
 pub struct Random61 {
     #[nominal(1.42)]
     pub p1: f64,
@@ -1167,7 +1194,8 @@ pub struct Random61 {
 #[constraint(row1: 1.78*x1 + exp(0.31*x3)/2 + exp(0.26*x5)/2 + 0.23 == 0)]
 #[constraint(row2: 1.95*x2 + 0.37*powi(x3, 2)/2 + 0.31*sin(x5) + 0.12*powi(x1, 2)/2 - 0.27 == 0)]
 #[constraint(row3: 1.77*x4 + 0.13*sin(x4) + 0.11*sin(x3) + 0.34*x5 + exp(0.20*x1)/2 + 0.65 == 0)]
-#[independent(v5, v3)]
+#[independent(s1 = (1.50 - 0.25*cos(0.52*x4))*v5 - 0.33*0.32*sin(x2)/(1.50 + cos(x1))*v1 - 0.16*atan2(x3, 2 + cos(x5))/2*v2, v3)]
+#[output(place = x4/(1 + powi(x4, 2)), power = 1.97*v2/(1 + powi(x3, 2)) - p2*x1, push = sin(0.59*x1 + 1.01)*dot(v1) + v2*ddot(x2), pull = (1.30 + 0.25*cos(1.02*x2))*reaction(row3) - push, share = pull/(1.55 + powi(reaction(row3), 2)))]
 pub struct Random62 {
     #[nominal(0.80)]
     pub p1: f64,
@@ -1200,6 +1228,7 @@ pub struct Random62 {
 #[constraint(height: 1.72*x1 + 0.26*sin(x1) + 0.28*x4*x4 + 0.20*sin(x2) - 0.26 == 0)]
 #[constraint(height_rate: 1.72*dot(x1) + 0.26*cos(x1)*dot(x1) + 0.28*(dot(x4)*x4 + x4*dot(x4)) + 0.20*cos(x2)*dot(x2) == 0)]
 #[constraint(further: v3 + 0.16*x3/(1 + powi(x3, 2))*v4 + 0.17*sin(1.17*x2 - 0.33*x1 + 1.47)*v2 - 0.33*sin(0.87*x1 - 0.84)*cos(1.03*x3 - 0.63*x3)*v1 == 0)]
+#[output(place = tan(0.56*sin(x1))/2, power = p2*x4 + p1*v2*v2*sin(p2*x3 + 0.98) + 0.70*powi(v2, 2), push = exp(-powi(x3, 2)/2)*dot(v2) + v3*ddot(x3))]
 pub struct Random64 {
     #[nominal(0.71)]
     pub p1: f64,
@@ -1225,7 +1254,8 @@ pub struct Random64 {
 #[constraint(height: 1.49*x3 + 0.15*sin(x3) + exp(0.17*x2)/2 + exp(0.27*x1)/2 - 0.68 == 0)]
 #[constraint(first: (1.50 - 0.22*cos(0.61*x2))*dot(x4) - 0.25*powi(cos(0.75*x1 + 0.37*x2), 3)*dot(x2) + 0.11*tan(0.92*sin(x1))/2*dot(x1) + 0.16*exp(-powi(x4, 2)/2)*dot(x3) - 0.57*sin(0.62*x1 - 0.53*x4) == 0)]
 #[constraint(second: 1.49*dot(x3) + 0.15*cos(x3)*dot(x3) + 0.17*exp(0.17*x2)*dot(x2)/2 + 0.27*exp(0.27*x1)*dot(x1)/2 - 0.50*cos(0.64*x2 - 0.74*x2)*((1.50 - 0.22*cos(0.61*x2))*dot(x4) - 0.25*powi(cos(0.75*x1 + 0.37*x2), 3)*dot(x2) + 0.11*tan(0.92*sin(x1))/2*dot(x1) + 0.16*exp(-powi(x4, 2)/2)*dot(x3) - 0.57*sin(0.62*x1 - 0.53*x4)) == 0)]
-#[independent(dot(x1), dot(x2))]
+#[independent(s1 = dot(x1) + 0.33*cos(1.17*x1 - 0.57*x1)*dot(x3) - 0.31*sin(0.60*x1 + 0.84*x2 + 0.92)*cos(0.40*x3 + 0.57*x4 + 1.16)*dot(x4) + 0.36*1/sqrt(1.50 + powi(x1, 2)), s2 = 1.60*dot(x2) - 0.14*sin(1.03*x1 - 0.74*x4)*dot(x1))]
+#[output(place = exp(-powi(x3, 2)/2), power = 0.87*dot(x4) - 0.39*tan(0.43*sin(x4))/2, push = 1/sqrt(1.50 + powi(x3, 2))*ddot(x2) + dot(x2)*ddot(x2))]
 pub struct Random65 {
     #[nominal(1.19)]
     pub p1: f64,
@@ -1262,6 +1292,7 @@ pub struct Random65 {
 )]
 #[potential_energy(1/sqrt(1.50 + powi(x4, 2)))]
 #[configuration(x4 = 0.65*x2/(1 + powi(x2, 2)))]
+#[output(place = x2/(1 + powi(x2, 2)), power = tau*1.36 - p3*v2*v4*tan(0.45*sin(x1))/2, push = 1/sqrt(1.50 + powi(x4, 2))*dot(v5) + v4*ddot(x4))]
 pub struct Random66 {
     #[nominal(0.95)]
     pub p1: f64,
@@ -1299,6 +1330,7 @@ pub struct Random66 {
 #[configuration(of(q1, q2, q3), x2 = 1.25*q1, x4 = 1.25*q2, x3 = 1.25*q3, x5 = cos(0.89*q1), x1 = cos(0.58*q3))]
 #[constraint(held_x5: x5 - (cos(0.89*(x2/1.25))) == 0)]
 #[constraint(held_x1: x1 - (cos(0.58*(x3/1.25))) == 0)]
+#[output(place = cos(0.88*x4 + 0.82*x3 - 0.38), power = 0.48*powi(v5, 2) - p1*v2*v5*tan(0.89*sin(x5))/2 - 0.73*0.48*sin(x1)/(1.50 + cos(x4)) - v3*v1/(1.10 + 0.30*0.56*sin(x2)/(1.50 + cos(x5))), push = cos(1.19*x2)*dot(v4) + v4*ddot(x4), pull = (1.36 + 0.32*1/sqrt(1.50 + powi(x2, 2)))*reaction(held_x5) - push, share = pull/(1.58 + powi(reaction(held_x5), 2)))]
 pub struct Random67 {
     #[nominal(0.50)]
     pub p1: f64,
@@ -1331,7 +1363,7 @@ pub struct Random67 {
 #[constraint(row2: 1.74*x3 + 0.24*powi(x1, 2)/2 + 0.21*x4*x4 + 0.70 == 0)]
 #[constraint(row3: v5 - 0.11*sin(0.84*x2 - 0.42*x2 + 0.83)*v1 + 0.16*1/sqrt(1.50 + powi(x4, 2))*v4 + 0.28*ln(1.60 + 0.58*cos(x3))*v3 + 0.34*sin(1.13*x4 - 0.52) == 0)]
 #[constraint(row4: 1.34*v2 + 0.30*exp(-powi(x2, 2)/2)*v1 + 0.15*sin(0.49*x5 - 0.14)*cos(0.94*x1)*v4 == 0)]
-#[independent(v1)]
+#[independent(s1 = v1 - 0.34*exp(-powi(x5, 2)/2)*v4 + 0.19*atan2(x3, 2 + cos(x4))/2*v3 - 0.47*sin(p1*x2 - 0.21))]
 pub struct Random70 {
     #[nominal(0.78)]
     pub p1: f64,
@@ -1363,6 +1395,7 @@ pub struct Random70 {
 #[constraint(row3: 1.92*x1 + 0.10*sin(x1) + exp(0.36*x3)/2 + 0.30*x5 + 0.26 == 0)]
 #[constraint(row4: (1.50 - 0.13*ln(1.60 + 0.69*cos(x3)))*dot(x2) - 0.22*cos(0.93*x4 - 0.74*x3)*dot(x3) - 0.29*sin(p1*x2 + 0.23)*dot(x5) == 0)]
 #[constraint(row5: dot(x4) + 0.28*1/sqrt(1.50 + powi(x1, 2))*dot(x3) + 0.16*exp(-powi(x3, 2)/2)*dot(x5) + 0.32*exp(-powi(x1, 2)/2)*dot(x1) == 0)]
+#[output(place = tan(0.76*sin(x1))/2, power = 0.52*1/sqrt(1.50 + powi(x2, 2)) - 1.07*powi(dot(x4), 2) - dot(x1)*sqrt(2 + powi(dot(x3), 2)) - p1*dot(x4)*dot(x2)*ln(1.60 + 0.72*cos(x5)), push = 1/sqrt(1.50 + powi(x2, 2))*ddot(x5) + dot(x3)*ddot(x3), pull = (1.28 - 0.34*sin(0.95*x3))*reaction(row3) - push, share = pull/(1.54 + powi(reaction(row3), 2)))]
 pub struct Random71 {
     #[nominal(0.54)]
     pub p1: f64,
@@ -1397,7 +1430,8 @@ pub struct Random71 {
 #[constraint(row3: 1.59*v5 - 0.21*atan2(x3, 2 + cos(x1))/2*v1 - 0.22*0.50*sin(x5)/(1.50 + cos(x2))*v4 + 0.25*1/sqrt(1.50 + powi(x2, 2)) == 0)]
 #[constraint(row4: v3 - 0.10*0.58*sin(x4)/(1.50 + cos(x1))*v1 + 0.27*atan2(x1, 2 + cos(x3))/2*v4 == 0)]
 #[constraint(row5: 1.92*v2 - 0.21*v2*v1*sin(1.14*x5) + 0.31*sin(0.87*x1 - 0.36*x2)*cos(0.74*x3 + 0.21*x4) == 0)]
-#[independent(v2)]
+#[independent(s1 = v2 + 0.28*cos(0.96*x5 - 0.65*x5)*v1)]
+#[output(place = 1/sqrt(1.50 + powi(x1, 2)), power = 0.68*v1 - p2*v1*v4*powi(cos(1.10*x2 - 0.24*x2), 3) - 1.54*powi(v1, 2) - p2*1.66, push = x5/(1 + powi(x5, 2))*dot(v1) + v4*ddot(x4), pull = 1.29*reaction(row4) - push, share = pull/(1.92 + powi(reaction(row4), 2)))]
 pub struct Random72 {
     #[nominal(0.68)]
     pub p1: f64,
@@ -1426,6 +1460,7 @@ pub struct Random72 {
 )]
 #[potential_energy(powi(cos(1.15*x3 - 0.85*x2), 3))]
 #[constraint(row1: 1.30*dot(v1) - 0.18*1/sqrt(1.50 + powi(x2, 2))*dot(v2) - 0.25*cos(1.13*x3)*dot(v4) + 0.30*v1/sqrt(1.20 + powi(v3, 2)) == 0)]
+#[output(place = cos(1.16*x4 - 0.78*x3), power = p2*v1*v1*sin(p1*x2 - 0.69) + 1.43*powi(v3, 2) + v3*sqrt(2 + powi(v2, 2)), push = exp(-powi(x1, 2)/2)*dot(v3) + v4*ddot(x4), pull = (1.11 - 0.18*atan2(x1, 2 + cos(x3))/2)*reaction(row1) - push, share = pull/(1.70 + powi(reaction(row1), 2)))]
 pub struct Random73 {
     #[nominal(1.38)]
     pub p1: f64,
@@ -1453,7 +1488,8 @@ pub struct Random73 {
 #[constraint(row1: 1.90*dot(x1) + 0.25*sin(p3*x2 + 0.59)*dot(x3) == 0)]
 #[constraint(row2: 1.15*dot(x4) - 0.27*cos(0.59*x4 + 0.89*x2)*dot(x3) + 0.24*exp(-powi(x3, 2)/2)*dot(x1) + 0.28*exp(-powi(x2, 2)/2) == 0)]
 #[constraint(row3: 1.68*ddot(x2) - 0.22*powi(cos(1.10*x4), 3)*ddot(x3) - 0.15*x3/(1 + powi(x3, 2))*ddot(x1) + 0.40*dot(x2) + 0.40*cos(1.14*x2) == 0)]
-#[independent(dot(x3), dot(x2))]
+#[independent(s1 = (1.50 + 0.26*tan(0.50*sin(x4))/2)*dot(x3) + 0.18*sin(1.13*x1 + 1.32)*dot(x1), s2 = 1.63*dot(x2) - 0.22*0.54*sin(x4)/(1.50 + cos(x2))*dot(x3))]
+#[output(place = ln(1.60 + 0.44*cos(x2)), power = dot(x3)*sqrt(2 + powi(dot(x4), 2)) + p1*1.19 + 1.04*0.87*sin(x1)/(1.50 + cos(x3)) + p2*1.95, push = tan(0.62*sin(x1))/2*ddot(x1) + dot(x4)*ddot(x4), pull = (1.40 + 0.10*cos(1.00*x1 + 0.58*x3))*reaction(row3) - push, share = pull/(1.99 + powi(reaction(row3), 2)))]
 pub struct Random75 {
     #[nominal(0.53)]
     pub p1: f64,
@@ -1477,7 +1513,9 @@ pub struct Random75 {
 #[constraint(row2: 1.91*dot(x2) - 0.25*sin(p2*x4 - 0.40)*dot(x4) - 0.59*sin(1.07*x1)*cos(0.57*x2 - 1.48) == 0)]
 #[constraint(row3: powi(dot(x1), 2) - 0.20*powi(dot(x2), 2) - (2 - 0.20*sin(0.91*x2 + 0.89*x4)) == 0)]
 #[constraint(row4: ddot(x3) + 0.13*cos(0.88*x3 + 0.81)*ddot(x4) + 0.23*sin(0.60*x1 + 0.58*x4)*ddot(x2) + 0.62*dot(x3) + 0.62*x1/(1 + powi(x1, 2)) == 0)]
+#[independent(s1 = 1.52*dot(x3) + 0.15*sin(0.83*x2 - 0.49*x4 - 0.42)*dot(x4) - 0.15*x3/(1 + powi(x3, 2))*dot(x2), s2 = (1.50 - 0.18*sin(0.81*x2 - 0.29*x3)*cos(0.53*x2))*dot(x1) + 0.32*tan(0.46*sin(x3))/2*dot(x3) - 0.30*sin(p1*x3 - 0.86)*dot(x4))]
 #[independent(dot(x3), dot(x1))]
+#[output(place = 1/sqrt(1.50 + powi(x4, 2)), power = dot(x2)*dot(x3)/(1.04 - 0.18*atan2(x2, 2 + cos(x3))/2), push = sin(0.76*x2)*ddot(x2) + dot(x1)*ddot(x1), pull = (1.25 + 0.18*atan2(x1, 2 + cos(x3))/2)*reaction(row3) - push, share = pull/(1.10 + powi(reaction(row3), 2)))]
 pub struct Random76 {
     #[nominal(1.30)]
     pub p1: f64,
@@ -1509,6 +1547,7 @@ pub struct Random76 {
 #[constraint(row2: 1.42*x3 + 0.19*sin(x3) + 0.19*sin(x4) + 0.12*powi(x1, 2)/2 + 0.30*sin(0.45*t) + 0.58 == 0)]
 #[constraint(again1: 0.81*(1.32*x2 + 0.26*powi(x4, 2)/2 + 0.25*powi(x1, 2)/2 + 0.30*sin(0.94*t) + 0.39) == 0, redundant)]
 #[independent(v1, v4)]
+#[output(place = cos(0.95*x2 - 0.40*x1), power = p1*x1 - p1*x2 - p1*1.66 - p1*x3, push = 0.57*sin(x3)/(1.50 + cos(t))*dot(v3) + v2*ddot(x2), pull = 1.14*reaction(again1) - push, share = pull/(1.64 + powi(reaction(again1), 2)))]
 pub struct Random77 {
     #[nominal(1.32)]
     pub p1: f64,
@@ -1661,6 +1700,7 @@ pub struct Random82 {
 #[constraint(row1: 1.53*x5 + exp(0.20*x3)/2 - 0.59 == 0)]
 #[constraint(row2: (1.50 - 0.23*tan(0.73*sin(x5))/2)*v1 - 0.14*exp(-powi(x3, 2)/2)*v3 + 0.22*sin(0.66*x3 + 0.66*x1)*cos(0.61*x1 + 0.86*x3)*v2 - 0.18*cos(0.53*x4 - 0.17)*v5 + 0.37*atan2(x4, 2 + cos(x3))/2 == 0)]
 #[constraint(row3: v4 - 0.27*ln(1.60 + 0.85*cos(x5))*v3 + 0.34*sin(1.05*x3 + 0.30)*cos(0.82*x1 - 0.64*x4)*v2 + 0.18*ln(1.60 + 0.94*cos(x2))*v5 == 0)]
+#[independent(s1 = (1.50 + 0.28*powi(cos(0.47*x3), 3))*v2 - 0.12*0.97*sin(x2)/(1.50 + cos(x2))*v5, s2 = (1.50 - 0.24*atan2(x1, 2 + cos(x5))/2)*v3 - 0.26*0.32*sin(x3)/(1.50 + cos(x2))*v2)]
 #[independent(v2, v3)]
 pub struct Random83 {
     #[nominal(0.65)]
@@ -1699,6 +1739,7 @@ pub struct Random83 {
 #[constraint(height: 1.62*x2 + 0.10*sin(x2) + exp(0.15*x4)/2 + 0.12*x5*x4 + 0.30*sin(1.07*t) - 0.19 == 0)]
 #[constraint(height_rate: 1.62*dot(x2) + 0.10*cos(x2)*dot(x2) + 0.15*exp(0.15*x4)*dot(x4)/2 + 0.12*(dot(x5)*x4 + x5*dot(x4)) + 0.30*1.07*cos(1.07*t) == 0)]
 #[constraint(further: v6 + 0.12*1/sqrt(1.50 + powi(x1, 2))*v4 - 0.13*0.70*sin(x1)/(1.50 + cos(x2))*v5 + 0.32*cos(0.45*x6 - 0.74*x4)*v3 == 0)]
+#[output(place = atan2(x5, 2 + cos(x5))/2, power = p1*v6*v3*0.46*sin(x6)/(1.50 + cos(x3)) - tau*0.67, push = sin(p2*x3 - 0.66)*dot(v6) + v4*ddot(x4))]
 pub struct Random84 {
     #[nominal(0.99)]
     pub p1: f64,
@@ -1728,6 +1769,7 @@ pub struct Random84 {
 #[constraint(height: 1.73*x2 + 0.17*sin(x2) + 0.27*sin(x3) - 0.19 == 0)]
 #[constraint(first: v5 + 0.12*atan2(x2, 2 + cos(x5))/2*v3 - 0.11*powi(cos(1.12*x5 + 0.61*x1 - 0.82), 3)*v1 - 0.18*x4/(1 + powi(x4, 2))*v4 == 0)]
 #[constraint(second: 1.73*dot(x2) + 0.17*cos(x2)*dot(x2) + 0.27*cos(x3)*dot(x3) - 0.50*tan(0.63*sin(x3))/2*(v5 + 0.12*atan2(x2, 2 + cos(x5))/2*v3 - 0.11*powi(cos(1.12*x5 + 0.61*x1 - 0.82), 3)*v1 - 0.18*x4/(1 + powi(x4, 2))*v4) == 0)]
+#[output(place = x5/(1 + powi(x5, 2)), power = p1*x4 - v2*v5/(1.10 - 0.18*cos(1.06*x1)), push = tan(0.51*sin(x2))/2*dot(v1) + v3*ddot(x3))]
 pub struct Random85 {
     #[nominal(1.27)]
     pub p1: f64,
@@ -1752,6 +1794,7 @@ pub struct Random85 {
     dot(x5)*dot(x1)/1.33 + dot(x3)*dot(x5)/(1.06 + 0.17*0.83*sin(x5)/(1.50 + cos(x1))) + 1.36*dot(x2)/(1 + powi(x4, 2)),
 )]
 #[configuration(x2 = 1.33*sin(0.54*x6), x5 = 0.71*sin(p2*x1 - 0.28))]
+#[output(place = 1/sqrt(1.50 + powi(x4, 2)), power = 1.14*ln(1.60 + 0.62*cos(x2)), push = tan(0.58*sin(x2))/2*ddot(x4) + dot(x6)*ddot(x6))]
 pub struct Random86 {
     #[nominal(1.33)]
     pub p1: f64,
@@ -1791,6 +1834,7 @@ pub struct Random86 {
     v2*v2/1.36,
 )]
 #[configuration(of(q1, q2, q3, q4, q5), x4 = 1.25*q1, x1 = 1.25*q2, x5 = 1.25*q3, x2 = 1.25*q4, x3 = 1.25*q5)]
+#[output(place = exp(-powi(x5, 2)/2), power = 1.44*powi(v2, 2) - 0.86*powi(v1, 2), push = sin(0.56*x5 - 0.79*x4)*cos(0.74*x2 - 0.21)*dot(v4) + v3*ddot(x3))]
 pub struct Random87 {
     #[nominal(1.24)]
     pub p1: f64,
@@ -1830,6 +1874,7 @@ pub struct Random87 {
 #[constraint(held_x6: x6 - (0.95*sin(0.86*x1)) == 0)]
 #[constraint(held_x2: x2 - (0.66*ln(1.60 + 0.81*cos(x4))) == 0)]
 #[constraint(rolling: (1.50 - 0.14*cos(0.96*x4 - 0.49*x5))*dot(x3) + 0.32*atan2(x5, 2 + cos(x3))/2*dot(x1) + 0.20*cos(1.20*x1 + 0.31*x4)*dot(x4) - 0.12*tan(0.65*sin(x4))/2*dot(x5) == 0)]
+#[output(place = ln(1.60 + 0.96*cos(x4)), power = p3*x1 + v4*v5/1.24 + 1.02*v2/(1 + powi(x4, 2)) + 1.04*cos(0.50*x1 - 0.30*x6 - 0.22), push = x3/(1 + powi(x3, 2))*dot(v5) + v3*ddot(x3), pull = (1.23 + 0.12*exp(-powi(x5, 2)/2))*reaction(held_x2) - push, share = pull/(1.52 + powi(reaction(held_x2), 2)))]
 pub struct Random88 {
     #[nominal(0.54)]
     pub p1: f64,
@@ -1875,6 +1920,7 @@ pub struct Random88 {
     w1 = [-1.38*(0.39*sin(0.62*x6 - 0.39*x6)), -1.38*(0.74*powi(cos(1.00*x5 + 1.06), 3)), -1.38*(0.70*sin(0.71*x6 + 0.76)), -1.38*(0.69*powi(cos(1.05*x1 - 0.76), 3)), 0, 1.38],
     w2 = [-(1.16 - 0.33*cos(0.71*x4 + 0.71*x4 - 1.36))*(0.76*exp(-powi(x5, 2)/2)), -(1.16 - 0.33*cos(0.71*x4 + 0.71*x4 - 1.36))*(0), -(1.16 - 0.33*cos(0.71*x4 + 0.71*x4 - 1.36))*(0.31*sin(0.53*x4 - 0.81*t - 0.38)*cos(1.20*x1 - 1.39)), -(1.16 - 0.33*cos(0.71*x4 + 0.71*x4 - 1.36))*(0.73*x1/(1 + powi(x1, 2))), (1.16 - 0.33*cos(0.71*x4 + 0.71*x4 - 1.36)), 0],
 )]
+#[output(place = sin(p1*t + 0.49), power = v1*v2/(1.35 - 0.17*atan2(x6, 2 + cos(x4))/2) + 1.26*v5 + v5*sqrt(2 + powi(v3, 2)) + 1.61*powi(v2, 2), push = cos(0.94*x2)*dot(v3) + v3*ddot(x3), pull = 1.29*reaction(row3) - push, share = pull/(1.96 + powi(reaction(row3), 2)))]
 pub struct Random89 {
     #[nominal(1.42)]
     pub p1: f64,
@@ -1923,6 +1969,7 @@ pub struct Random89 {
 #[constraint(row3: 1.73*x3 + 0.12*sin(x3) + 0.12*x6*x6 + 0.78 == 0)]
 #[constraint(row4: (1.50 - 0.16*sin(0.96*x4 - 0.84*x5))*v1 - 0.24*1/sqrt(1.50 + powi(x4, 2))*v6 + 0.23*sin(0.42*x5 - 0.64*x4 + 0.39)*cos(0.62*x3 - 0.41) == 0)]
 #[constraint(row5: (1.50 + 0.14*sin(0.94*x6))*v5 + 0.32*sin(p2*x3 + 0.59)*v6 + 0.16*sin(p2*x6 - 0.94)*v4 + 0.45*sin(0.55*x1 - 0.76*x4) == 0)]
+#[output(place = x4/(1 + powi(x4, 2)), power = tau*1.49 + 0.64*1/sqrt(1.50 + powi(x2, 2)) + p1*v1*v5*sin(p1*x6 - 0.67) + 1.26*v4, push = tan(0.94*sin(x3))/2*dot(v2) + v5*ddot(x5), pull = 1.29*reaction(row2) - push, share = pull/(1.07 + powi(reaction(row2), 2)))]
 pub struct Random90 {
     #[nominal(0.58)]
     pub p1: f64,
@@ -1965,6 +2012,7 @@ pub struct Random90 {
 #[constraint(row3: v2 - 0.33*sin(0.72*x2 - 0.79*t + 1.46)*cos(1.06*x2 - 0.42*x2 + 0.62)*v5 == 0)]
 #[constraint(row4: v1 + 0.28*sin(1.15*x2 - 0.22*x3)*v5 + 0.28*sin(1.16*x5)*cos(0.81*x3 - 0.68*t)*v3 - 0.26*tan(0.89*sin(x1))/2*v2 == 0)]
 #[constraint(row5: 1.43*v4 - 0.18*atan2(x4, 2 + cos(x2))/2*v5 + 0.24*sin(0.43*x3 + 0.19)*cos(0.54*x1)*v3 + 0.27*cos(0.74*t + 0.69)*v2 == 0)]
+#[output(place = atan2(x1, 2 + cos(x2))/2, power = p1*exp(0.20*x1), push = x4/(1 + powi(x4, 2))*dot(v4) + v2*ddot(x2), pull = (1.28 + 0.30*cos(1.02*t + 0.83))*reaction(row1) - push, share = pull/(1.42 + powi(reaction(row1), 2)))]
 pub struct Random91 {
     #[nominal(0.65)]
     pub p1: f64,
@@ -2032,6 +2080,7 @@ pub struct Random93 {
 #[constraint(row1: 1.85*x1 + 0.24*x2 + 0.30*sin(0.73*t) + 0.12 == 0)]
 #[constraint(row2: 1.22*v3 - 0.24*sin(v3 + tan(0.35*sin(x4))/2*v2) + 0.32*0.93*sin(x4)/(1.50 + cos(x4)) == 0)]
 #[constraint(row3: 1.63*v4 + 0.23*sin(v4 + x2/(1 + powi(x2, 2))*v3) + 0.37*cos(0.55*t) == 0)]
+#[output(place = atan2(x1, 2 + cos(t))/2, power = 0.73*v2/(1 + powi(t, 2)) + p1*x5 + 1.04*v5 + p2*exp(0.20*x3), push = exp(-powi(x1, 2)/2)*dot(v2) + v5*ddot(x5), pull = (1.01 - 0.34*0.73*sin(x1)/(1.50 + cos(x1)))*reaction(row1) - push, share = pull/(1.03 + powi(reaction(row1), 2)))]
 pub struct Random94 {
     #[nominal(1.02)]
     pub p1: f64,
@@ -2194,6 +2243,7 @@ pub struct Random100 {
 )]
 #[potential_energy(powi(cos(0.88*x1 - 0.51*x1), 3))]
 #[constraint(row1: 1.50*dot(x1) - 0.50*ln(1.60 + 0.40*cos(x1)) == 0)]
+#[output(place = powi(cos(1.01*x1), 3), power = p1*dot(x1)*dot(x1)*x1/(1 + powi(x1, 2)) - p1*1.01 - p1*1.55 - dot(x1)*dot(x1)/1.04, push = exp(-powi(t, 2)/2)*ddot(x1) + dot(x1)*ddot(x1), pull = (1.37 + 0.10*cos(0.88*x1 - 1.40))*reaction(row1) - push, share = pull/(1.47 + powi(reaction(row1), 2)))]
 pub struct Random101 {
     #[nominal(0.64)]
     pub p1: f64,
@@ -2212,6 +2262,7 @@ pub struct Random101 {
 )]
 #[constraint(row1: 1.36*x5 + 0.18*powi(x2, 2)/2 + 0.58 == 0)]
 #[constraint(row2: 1.46*x1 + 0.23*sin(x2) + 0.25*sin(x3) - 0.59 == 0)]
+#[output(place = 1/sqrt(1.50 + powi(x5, 2)), power = 0.94*powi(dot(x5), 2) - p3*x2 - p3*dot(x4)*dot(x3)*0.59*sin(x5)/(1.50 + cos(x1)) - 0.78*dot(x5), push = x4/(1 + powi(x4, 2))*ddot(x4) + dot(x1)*ddot(x1), pull = (1.33 + 0.21*sin(1.00*x4))*reaction(row2) - push, share = pull/(1.36 + powi(reaction(row2), 2)))]
 pub struct Random102 {
     #[nominal(0.67)]
     pub p1: f64,
@@ -2234,6 +2285,7 @@ pub struct Random102 {
 )]
 #[potential_energy(0.98*sin(x1)/(1.50 + cos(x1)))]
 #[constraint(row1: v1 == 0)]
+#[output(place = sin(0.50*x1 + 0.73), power = p1*x1 + 1.49*v1, push = x1/(1 + powi(x1, 2))*dot(v1) + v1*ddot(x1), pull = (1.07 - 0.33*sin(1.16*x1 - 0.36))*reaction(row1) - push, share = pull/(1.76 + powi(reaction(row1), 2)))]
 pub struct Random103 {
     #[nominal(0.82)]
     pub p1: f64,
@@ -2260,6 +2312,7 @@ pub struct Random103 {
 #[constraint(height: 1.31*x3 + 0.24*sin(x3) + 0.22*powi(x1, 2)/2 + 0.11*powi(x2, 2)/2 + exp(0.39*x4)/2 + 0.35 == 0)]
 #[constraint(height_rate: (1.13 - 0.23*cos(0.45*x2 + 0.70*x3))*(1.31*dot(x3) + 0.24*cos(x3)*dot(x3) + 0.22*x1*dot(x1) + 0.11*x2*dot(x2) + 0.39*exp(0.39*x4)*dot(x4)/2) == 0)]
 #[constraint(further: (1.50 + 0.15*1/sqrt(1.50 + powi(x2, 2)))*dot(x6) + 0.12*sin(0.42*x5)*cos(0.41*x6 - 0.44*x4)*dot(x1) + 0.31*sin(1.18*x3)*dot(x2) + 0.21*cos(0.74*x6 - 0.69*x4)*dot(x4) == 0)]
+#[output(place = sin(0.92*x6), power = 1.41*sin(p1*x6 - 0.51), push = x6/(1 + powi(x6, 2))*ddot(x4) + dot(x6)*ddot(x6))]
 pub struct Random104 {
     #[nominal(0.63)]
     pub p1: f64,
@@ -2331,6 +2384,7 @@ pub struct Random106 {
     0.75*v1/(1 + powi(x1, 2)) + v1*sqrt(2 + powi(v1, 2)) + 0.34*v1/(1 + powi(x1, 2)) + p1*v1*v1*x1/(1 + powi(x1, 2)),
 )]
 #[configuration(of(q1), x1 = 1.25*q1)]
+#[output(place = cos(0.50*x1 + 0.26*x1), power = p1*exp(0.20*x1) + 1.62*powi(v1, 2) + 1.96*atan2(x1, 2 + cos(x1))/2 + v1*v1/(1.33 - 0.13*1/sqrt(1.50 + powi(x1, 2))), push = x1/(1 + powi(x1, 2))*dot(v1) + v1*ddot(x1))]
 pub struct Random107 {
     #[nominal(1.04)]
     pub p1: f64,
@@ -2390,7 +2444,8 @@ pub struct Random109 {
     0,
 )]
 #[potential_energy(x1/(1 + powi(x1, 2)))]
-#[independent(dot(x1))]
+#[independent(s1 = (1.50 - 0.23*sin(p2*x1 + 0.77))*dot(x1) + 0.48*1/sqrt(1.50 + powi(x1, 2)))]
+#[output(place = 0.55*sin(x1)/(1.50 + cos(x1)), power = 1.92*dot(x1), push = sin(0.93*x1)*ddot(x1) + dot(x1)*ddot(x1))]
 pub struct Random110 {
     #[nominal(1.28)]
     pub p1: f64,
@@ -2467,6 +2522,7 @@ pub struct Random112 {
 #[constraint(row2: ddot(x6) + 0.26*0.44*sin(x3)/(1.50 + cos(x1))*ddot(x3) - 0.24*exp(-powi(x3, 2)/2)*ddot(x2) + 0.47*dot(x3)*dot(x3)*x4/(1 + powi(x4, 2)) == 0)]
 #[constraint(row3: ddot(x4) + 0.12*ln(1.60 + 0.45*cos(x3))*ddot(x3) - 0.15*0.48*sin(x5)/(1.50 + cos(x6))*ddot(x2) + 0.27*dot(x2)*dot(x5)*0.54*sin(x6)/(1.50 + cos(x4)) == 0)]
 #[constraint(row4: ddot(x1) + 0.23*powi(cos(0.68*x1 - 0.81*x3), 3)*ddot(x3) + 0.29*sin(1.08*x4 + 0.37*x1)*ddot(x2) + 0.79*dot(x2)*dot(x3)*powi(cos(0.84*x1 + 0.87*x3 - 0.76), 3) == 0)]
+#[output(place = cos(0.87*x6 - 0.65), power = p1*exp(0.20*x2) - p1*exp(0.20*x2) - p1*dot(x4)*dot(x2)*atan2(x6, 2 + cos(x1))/2 - p1*exp(0.20*x2), push = sin(0.44*x3 + 0.51)*ddot(x3) + dot(x2)*ddot(x2), pull = (1.07 + 0.11*0.62*sin(x5)/(1.50 + cos(x5)))*reaction(row4) - push, share = pull/(1.42 + powi(reaction(row4), 2)))]
 pub struct Random113 {
     #[nominal(1.42)]
     pub p1: f64,
@@ -2482,6 +2538,7 @@ pub struct Random113 {
 #[potential_energy(sin(0.71*x2 + 0.85*x1))]
 #[constraint(row1: 1.91*x2 - 0.44 == 0)]
 #[constraint(row2: 1.81*dot(x1) + 0.26*sqrt(1.50 + powi(dot(x2), 2) + powi(dot(x2), 2)) + 0.32*ln(1.60 + 0.64*cos(x1)) == 0)]
+#[output(place = 0.64*sin(x2)/(1.50 + cos(x1)), power = 1.17*dot(x2) + 1.14*dot(x1)/(1 + powi(x1, 2)) + 1.21*dot(x2)/(1 + powi(x1, 2)) + dot(x1)*sqrt(2 + powi(dot(x1), 2)), push = cos(1.10*x2 + 0.85*x1)*ddot(x1) + dot(x2)*ddot(x2), pull = (1.36 + 0.22*x2/(1 + powi(x2, 2)))*reaction(row1) - push, share = pull/(1.40 + powi(reaction(row1), 2)))]
 pub struct Random114 {
     #[nominal(1.45)]
     pub p1: f64,
@@ -2506,6 +2563,7 @@ pub struct Random114 {
 )]
 #[constraint(row1: (1.50 - 0.11*powi(cos(0.50*x2 - 0.97), 3))*v1 == 0)]
 #[constraint(row2: dot(v2) + 0.13*0.46*sin(x2)/(1.50 + cos(x2))*dot(v1) + 0.50*sin(0.81*x1)*cos(1.01*x1 - 0.61*x1) == 0)]
+#[output(place = sin(0.77*x1 - 0.38*x1)*cos(0.91*x2), power = 1.75*x2/(1 + powi(x2, 2)) - p1*exp(0.20*x1) - p2*exp(0.20*x1) - 1.26*v1, push = x1/(1 + powi(x1, 2))*dot(v1) + v2*ddot(x2), pull = (1.36 + 0.27*ln(1.60 + 0.69*cos(x2)))*reaction(row1) - push, share = pull/(1.71 + powi(reaction(row1), 2)))]
 pub struct Random115 {
     #[nominal(1.13)]
     pub p1: f64,
@@ -2604,6 +2662,7 @@ pub struct Random117 {
 #[constraint(row3: (1.50 + 0.13*atan2(x3, 2 + cos(x6))/2)*v3 + 0.34*sin(0.47*x4 - 0.45*x5)*v1 + 0.19*exp(-powi(x2, 2)/2)*v4 - 0.42*cos(0.56*x6 - 0.27*x6) == 0)]
 #[constraint(row4: (1.50 - 0.22*sin(1.15*x2))*v2 - 0.29*1/sqrt(1.50 + powi(x3, 2))*v1 - 0.41*sin(0.77*x2 - 1.13) == 0)]
 #[constraint(row5: (1.50 - 0.23*cos(0.92*x1))*v5 - 0.27*x1/(1 + powi(x1, 2))*v1 + 0.24*0.93*sin(x2)/(1.50 + cos(x1))*v4 + 0.24*powi(cos(0.50*x6 + 0.64*x3), 3)*v6 == 0)]
+#[output(place = atan2(x3, 2 + cos(x5))/2, power = 1.99*v6, push = ln(1.60 + 0.97*cos(x4))*dot(v1) + v4*ddot(x4), pull = 1.28*reaction(row2) - push, share = pull/(1.38 + powi(reaction(row2), 2)))]
 pub struct Random118 {
     #[nominal(0.96)]
     pub p1: f64,
@@ -2700,6 +2759,7 @@ pub struct Random121 {
 )]
 #[constraint(row1: 1.87*x2 + 0.24*sin(x2) + 0.15*powi(x1, 2)/2 + 0.30*sin(1.28*t) + 0.47 == 0)]
 #[independent(v1)]
+#[independent(s1 = 1.18*v1 - 0.33*sin(0.75*x2 + 0.27*t)*cos(0.51*x2 - 0.62*x1)*v2 - 0.37*x1/(1 + powi(x1, 2)))]
 pub struct Random122 {
     #[nominal(1.36)]
     pub p1: f64,
@@ -2748,6 +2808,7 @@ pub struct Random123 {
 #[constraint(height: 1.82*x2 - 0.72 == 0)]
 #[constraint(first: 1.44*dot(x1) + 0.31*powi(cos(0.98*x1 + 0.89*x1), 3)*dot(x2) == 0)]
 #[constraint(second: 1.82*dot(x2) - 0.50*atan2(x1, 2 + cos(x1))/2*(1.44*dot(x1) + 0.31*powi(cos(0.98*x1 + 0.89*x1), 3)*dot(x2)) == 0)]
+#[output(place = sin(0.91*x1), power = p3*0.39 + p2*dot(x1)*dot(x2)*powi(cos(1.02*x1 - 0.71*x1), 3) + 0.65*dot(x2), push = cos(0.93*x2 - 0.38*x1 - 0.50)*ddot(x2) + dot(x1)*ddot(x1))]
 pub struct Random125 {
     #[nominal(1.06)]
     pub p1: f64,
@@ -2806,6 +2867,7 @@ pub struct Random127 {
     0,
 )]
 #[configuration(x2 = 0.62*sin(p1*x1 + 0.33))]
+#[output(place = 1/sqrt(1.50 + powi(x1, 2)), power = p2*x1 + dot(x2)*sqrt(2 + powi(dot(x1), 2)), push = sin(1.15*x1 + 0.84*x2)*ddot(x2) + dot(x2)*ddot(x2))]
 pub struct Random128 {
     #[nominal(0.70)]
     pub p1: f64,
@@ -2860,6 +2922,7 @@ pub struct Random130 {
     0.48*powi(v1, 2),
 )]
 #[constraint(row1: 1.43*x1 + 0.28*sin(x1) + 0.30*sin(1.49*t) - 0.13 == 0)]
+#[output(place = ln(1.60 + 0.50*cos(t)), power = v1*v1/(1.01 + 0.24*ln(1.60 + 0.84*cos(x1))), push = powi(cos(0.79*t - 0.65*t - 0.63), 3)*dot(v1) + v1*ddot(x1), pull = 1.23*reaction(row1) - push, share = pull/(1.48 + powi(reaction(row1), 2)))]
 pub struct Random131 {
     #[nominal(0.63)]
     pub p1: f64,
@@ -2879,6 +2942,7 @@ pub struct Random131 {
 )]
 #[constraint(row1: powi(v1, 2) - 0.18*powi(v2, 2) - (2 - 0.18*exp(-powi(x2, 2)/2)) == 0)]
 #[independent(v2, v1)]
+#[output(place = tan(0.85*sin(x1))/2, power = v1*v2/1.24 + 0.41*powi(v2, 2) + v2*sqrt(2 + powi(v2, 2)), push = powi(cos(1.11*x1), 3)*dot(v1) + v2*ddot(x2), pull = 1.06*reaction(row1) - push, share = pull/(1.81 + powi(reaction(row1), 2)))]
 pub struct Random132 {
     #[nominal(0.62)]
     pub p1: f64,
@@ -2947,7 +3011,7 @@ pub struct Random135 {
 #[constraint(row1: 1.27*dot(x1) == 0)]
 #[constraint(row2: 1.36*dot(x3) + 0.14*atan2(x2, 2 + cos(x2))/2*dot(x1)*dot(x1) + 0.48*0.67*sin(x3)/(1.50 + cos(x2)) == 0)]
 #[constraint(row3: 1.34*ddot(x2) - 0.22*1/sqrt(1.50 + powi(x2, 2))*ddot(x1) + 0.18*sin(1.06*x3)*ddot(x3) - 0.76*dot(x3)/sqrt(1.20 + powi(dot(x2), 2)) == 0)]
-#[independent(dot(x2), dot(x3))]
+#[independent(s1 = (1.50 + 0.21*sin(p1*x1 + 0.46))*dot(x2) + 0.29*tan(0.97*sin(x2))/2*dot(x1), dot(x3))]
 pub struct Random136 {
     #[nominal(0.76)]
     pub p1: f64,
@@ -3006,6 +3070,7 @@ pub struct Random137 {
 #[potential_energy(powi(cos(1.00*x2), 3))]
 #[constraint(row1: (1.50 - 0.26*sin(0.74*x2 + 0.50*x2))*v2 == 0)]
 #[constraint(row2: (1.50 - 0.14*sin(0.69*x1))*v1 - 0.35*1/sqrt(1.50 + powi(x1, 2))*v2 + 0.50*sin(1.11*x2 - 0.72*x2 + 1.00) == 0)]
+#[output(place = 0.51*sin(x2)/(1.50 + cos(x1)), power = 1.94*cos(0.62*x1 - 0.81*x1 + 1.31), push = exp(-powi(x2, 2)/2)*dot(v1) + v1*ddot(x1), pull = (1.24 - 0.14*powi(cos(1.06*x1 + 1.06), 3))*reaction(row2) - push, share = pull/(1.47 + powi(reaction(row2), 2)))]
 pub struct Random138 {
     #[nominal(1.18)]
     pub p1: f64,
@@ -3051,6 +3116,7 @@ pub struct Random139 {
     p2*dot(x3)*dot(x3)*sin(0.56*x3 - 0.58)*cos(0.99*x3),
 )]
 #[potential_energy(sin(1.10*x1 - 0.24*x2))]
+#[output(place = atan2(x3, 2 + cos(x3))/2, power = 0.74*dot(x3) + p1*x3 + 0.96*dot(x1) + p3*exp(0.20*x3), push = 1/sqrt(1.50 + powi(x1, 2))*ddot(x3) + dot(x3)*ddot(x3))]
 pub struct Random140 {
     #[nominal(0.60)]
     pub p1: f64,
@@ -3074,6 +3140,7 @@ pub struct Random140 {
 )]
 #[potential_energy(powi(cos(0.78*x1 - 1.09), 3))]
 #[constraint(row1: 1.87*v1 - 0.18*powi(cos(0.40*x2 + 0.39*x1), 3)*v2 == 0)]
+#[output(place = sin(1.06*x1 - 0.83*x1), power = v1*sqrt(2 + powi(v1, 2)) - v2*v2/(1.18 - 0.31*tan(0.76*sin(x2))/2) - p1*1.07, push = 1/sqrt(1.50 + powi(x2, 2))*dot(v1) + v2*ddot(x2), pull = (1.12 - 0.11*sin(p2*x1 - 0.68))*reaction(row1) - push, share = pull/(1.57 + powi(reaction(row1), 2)))]
 pub struct Random141 {
     #[nominal(1.27)]
     pub p1: f64,
@@ -3175,6 +3242,7 @@ pub struct Random145 {
 )]
 #[configuration(x1 = 1.14*x2/(1 + powi(x2, 2)))]
 #[constraint(held_x1: x1 - (1.14*x2/(1 + powi(x2, 2))) == 0)]
+#[output(place = exp(-powi(x1, 2)/2), power = 1.01*v1/(1 + powi(x1, 2)), push = powi(cos(0.59*x1 - 0.37*x2), 3)*dot(v1) + v2*ddot(x2), pull = 1.10*reaction(held_x1) - push, share = pull/(1.50 + powi(reaction(held_x1), 2)))]
 pub struct Random146 {
     #[nominal(1.50)]
     pub p1: f64,
@@ -3275,6 +3343,7 @@ pub struct Random151 {
 )]
 #[constraint(row1: (1.50 + 0.15*0.46*sin(x2)/(1.50 + cos(x1)))*v1 == 0)]
 #[constraint(row2: 1.06*v2 - 0.26*v2*v1*sin(0.84*x1 - 0.67*x1)*cos(0.79*x2 + 0.34*x2 - 0.73) + 0.21*cos(0.63*x1) == 0)]
+#[output(place = powi(cos(0.68*x2 - 0.37*x2), 3), power = 0.50*powi(cos(0.44*x2 + 0.39*x2 - 0.75), 3) + 1.04*powi(v1, 2), push = cos(0.76*x1)*dot(v2) + v1*ddot(x1), pull = (1.34 - 0.28*1/sqrt(1.50 + powi(x1, 2)))*reaction(row1) - push, share = pull/(1.90 + powi(reaction(row1), 2)))]
 pub struct Random152 {
     #[nominal(1.39)]
     pub p1: f64,
@@ -3301,7 +3370,8 @@ pub struct Random152 {
 )]
 #[constraint(row1: (1.50 + 0.22*ln(1.60 + 0.64*cos(x3)))*dot(v3) - 0.26*sin(p1*x2 - 0.51)*dot(v1) + 0.42*v3*v2*sin(p1*x1 + 0.28) == 0)]
 #[constraint(row2: 1.95*dot(v2) + 0.16*x2/(1 + powi(x2, 2))*dot(v1) + 0.20*tan(0.82*sin(x2))/2*dot(v3) + 0.65*v2*v2*1/sqrt(1.50 + powi(x1, 2)) == 0)]
-#[independent(v1, v2, v3)]
+#[independent(s1 = v1, s2 = v2 - 0.35*0.68*sin(x1)/(1.50 + cos(x2))*v1 + 0.46*sin(0.99*x2), s3 = 1.02*v3 - 0.30*x3/(1 + powi(x3, 2))*v1)]
+#[output(place = 1/sqrt(1.50 + powi(x3, 2)), power = p1*v2*v3*x2/(1 + powi(x2, 2)) - p2*0.91, push = sin(0.96*x1)*dot(v3) + v1*ddot(x1), pull = 1.30*reaction(row2) - push, share = pull/(1.58 + powi(reaction(row2), 2)))]
 pub struct Random153 {
     #[nominal(1.32)]
     pub p1: f64,
@@ -3343,7 +3413,7 @@ pub struct Random154 {
 #[constraint(row1: (1.50 + 0.11*x2/(1 + powi(x2, 2)))*dot(x2) == 0)]
 #[constraint(row2: (1.50 - 0.22*exp(-powi(x3, 2)/2))*dot(x3) + 0.30*sin(0.80*x2 + 0.67)*dot(x2) == 0)]
 #[constraint(row3: (1.50 - 0.26*sin(p1*x3 + 0.22))*ddot(x1) + 0.27*exp(-powi(x2, 2)/2)*ddot(x2) + 0.21*0.50*sin(x2)/(1.50 + cos(x2))*ddot(x3) - 0.77*dot(x1)/sqrt(1.20 + powi(dot(x1), 2)) == 0)]
-#[independent(dot(x1))]
+#[independent(s1 = dot(x1) + 0.22*sin(0.41*x3)*cos(0.43*x1 + 0.34)*dot(x2) + 0.35*tan(0.58*sin(t))/2)]
 pub struct Random155 {
     #[nominal(0.96)]
     pub p1: f64,
@@ -3364,6 +3434,7 @@ pub struct Random155 {
 #[constraint(row2: 1.00*dot(x1) + 0.18*dot(x1)*dot(x3)*0.65*sin(t)/(1.50 + cos(x2)) - 0.35*x1/(1 + powi(x1, 2)) == 0)]
 #[constraint(again1: (1.05 + 0.25*powi(cos(0.75*x1 - 0.26*x1), 3))*(1.00*dot(x1) + 0.18*dot(x1)*dot(x3)*0.65*sin(t)/(1.50 + cos(x2)) - 0.35*x1/(1 + powi(x1, 2))) == 0, redundant)]
 #[constraint(again2: (1.33 - 0.14*atan2(x1, 2 + cos(x3))/2)*(1.70*dot(x3) - 0.13*sqrt(1.50 + powi(dot(x2), 2) + powi(dot(x2), 2)) - 0.39*tan(1.00*sin(x1))/2) + 0.83*(1.00*dot(x1) + 0.18*dot(x1)*dot(x3)*0.65*sin(t)/(1.50 + cos(x2)) - 0.35*x1/(1 + powi(x1, 2))) == 0, redundant)]
+#[output(place = exp(-powi(x2, 2)/2), power = dot(x2)*sqrt(2 + powi(dot(x1), 2)), push = 1/sqrt(1.50 + powi(x2, 2))*ddot(x2) + dot(x3)*ddot(x3), pull = (1.36 - 0.21*ln(1.60 + 0.51*cos(t)))*reaction(again2) - push, share = pull/(1.69 + powi(reaction(again2), 2)))]
 pub struct Random157 {
     #[nominal(0.50)]
     pub p1: f64,
@@ -3406,6 +3477,7 @@ pub struct Random158 {
 )]
 #[configuration(x3 = 1.42*tan(0.65*sin(x2))/2, x1 = 1.21*exp(-powi(x2, 2)/2))]
 #[constraint(bound: 1.63*dot(v2) + 0.21*atan2(x2, 2 + cos(x2))/2*dot(v3) + 0.22*powi(cos(0.84*x3), 3)*dot(v1) + 0.25*v2*v3*sin(p2*x2 + 0.24) == 0)]
+#[output(place = sin(0.47*x3), power = p2*1.94 + v2*sqrt(2 + powi(v1, 2)) + v1*sqrt(2 + powi(v2, 2)), push = powi(cos(1.01*x1 - 0.82*x2), 3)*dot(v3) + v3*ddot(x3), pull = (1.20 + 0.13*0.80*sin(x3)/(1.50 + cos(x2)))*reaction(bound) - push, share = pull/(1.14 + powi(reaction(bound), 2)))]
 pub struct Random159 {
     #[nominal(1.11)]
     pub p1: f64,
@@ -3449,7 +3521,8 @@ pub struct Random161 {
 #[constraint(row1: 1.63*x1 + exp(0.21*x2)/2 + 0.30*sin(1.17*t) + 0.33 == 0)]
 #[constraint(row2: 1.25*x4 + 0.27*sin(x4) + 0.13*x2*x1 + 0.15*sin(x1) + 0.30*sin(0.54*t) + 0.19 == 0)]
 #[constraint(row3: 1.78*x3 + 0.21*sin(x3) + 0.35*x2 + 0.30*sin(1.49*t) - 0.16 == 0)]
-#[independent(dot(x2))]
+#[independent(s1 = (1.50 - 0.20*atan2(x3, 2 + cos(x3))/2)*dot(x2) - 0.18*cos(0.66*t)*dot(x1) + 0.47*x3/(1 + powi(x3, 2)))]
+#[output(place = tan(0.53*sin(x2))/2, power = dot(x2)*dot(x1)/(1.06 + 0.21*sin(0.83*x3 + 0.13)), push = sin(0.93*t + 0.26*x3 + 1.41)*ddot(x1) + dot(x2)*ddot(x2), pull = (1.01 - 0.15*tan(0.95*sin(x4))/2)*reaction(row3) - push, share = pull/(1.05 + powi(reaction(row3), 2)))]
 pub struct Random162 {
     #[nominal(1.39)]
     pub p1: f64,
@@ -3471,6 +3544,7 @@ pub struct Random162 {
 #[constraint(row1: 1.76*x4 + 0.21*sin(x4) + exp(0.15*x3)/2 + 0.30*sin(0.62*t) - 0.42 == 0)]
 #[constraint(row2: (1.50 + 0.28*t/(1 + powi(t, 2)))*dot(x2) - 0.32*sin(0.53*t - 0.35)*dot(x3) - 0.32*sin(1.06*x1)*dot(x4) == 0)]
 #[constraint(row3: dot(x1) - 0.27*cos(0.98*x4 - 0.64*x2)*dot(x3) - 0.25*sin(1.07*x4)*cos(0.63*x1)*dot(x4) == 0)]
+#[output(place = sin(0.74*t + 0.22*x1 + 1.40), power = 0.75*dot(x3), push = sin(0.47*t - 1.33)*cos(0.89*x4)*ddot(x3) + dot(x4)*ddot(x4), pull = (1.00 - 0.10*cos(0.85*x1))*reaction(row1) - push, share = pull/(1.45 + powi(reaction(row1), 2)))]
 pub struct Random163 {
     #[nominal(0.51)]
     pub p1: f64,
@@ -3535,6 +3609,7 @@ pub struct Random166 {
 #[configuration(of(q1, q2), x1 = 1.25*q1, x3 = 1.25*q2, x2 = 0.99*sin(q1)/(1.50 + cos(q1)), x4 = 0.77*sin(q1)/(1.50 + cos(q2)))]
 #[constraint(held_x2: x2 - (0.99*sin((x1/1.25))/(1.50 + cos((x1/1.25)))) == 0)]
 #[constraint(held_x4: x4 - (0.77*sin((x1/1.25))/(1.50 + cos((x3/1.25)))) == 0)]
+#[output(place = exp(-powi(x3, 2)/2), power = 1.04*0.75*sin(x2)/(1.50 + cos(x1)) - 0.30*v4, push = sin(p3*x3 + 0.68)*dot(v2) + v3*ddot(x3), pull = 1.16*reaction(held_x4) - push, share = pull/(1.64 + powi(reaction(held_x4), 2)))]
 pub struct Random167 {
     #[nominal(0.62)]
     pub p1: f64,
@@ -3587,6 +3662,7 @@ pub struct Random168 {
     w1 = [-(1.20 + 0.34*powi(cos(0.40*x1), 3))*(0), (1.20 + 0.34*powi(cos(0.40*x1), 3)), 0],
     w2 = [-(1.17 + 0.11*cos(0.60*x2 + 0.61))*(0.37*exp(-powi(x1, 2)/2)), 0, (1.17 + 0.11*cos(0.60*x2 + 0.61))],
 )]
+#[output(place = cos(0.91*t - 0.44*x3), power = p1*1.86, push = exp(-powi(x1, 2)/2)*ddot(x1) + dot(x2)*ddot(x2), pull = (1.16 - 0.22*ln(1.60 + 0.72*cos(t)))*reaction(row1) - push, share = pull/(1.53 + powi(reaction(row1), 2)))]
 pub struct Random169 {
     #[nominal(1.34)]
     pub p1: f64,
@@ -3613,7 +3689,9 @@ pub struct Random169 {
 )]
 #[constraint(row1: 1.23*x1 + 0.27*sin(x1) + 0.14*x3 - 0.33 == 0)]
 #[constraint(row2: 1.91*x2 + 0.30*sin(x3) + 0.31*x1 - 0.67 == 0)]
+#[independent(s1 = (1.50 - 0.21*ln(1.60 + 0.73*cos(x3)))*v3 - 0.21*1/sqrt(1.50 + powi(x2, 2))*v1 - 0.31*1/sqrt(1.50 + powi(x3, 2)))]
 #[independent(v3)]
+#[output(place = exp(-powi(x1, 2)/2), power = 1.95*v1/(1 + powi(x1, 2)) + p2*x2 + 0.33*v2/(1 + powi(x2, 2)) + p1*x1, push = ln(1.60 + 0.37*cos(x1))*dot(v1) + v2*ddot(x2), pull = (1.13 - 0.32*cos(0.57*x3 + 0.59*x2))*reaction(row2) - push, share = pull/(1.54 + powi(reaction(row2), 2)))]
 pub struct Random170 {
     #[nominal(0.89)]
     pub p1: f64,
@@ -3645,6 +3723,7 @@ pub struct Random170 {
 #[constraint(row1: (1.50 + 0.23*sin(1.15*x2 + 0.87*x3 + 0.61)*cos(0.80*x1 - 0.34*x2))*v1 == 0)]
 #[constraint(row2: 1.43*v2 + 0.24*cos(0.90*x3)*v1 - 0.24*tan(0.93*sin(x3))/2 == 0)]
 #[constraint(row3: v3 + 0.25*exp(-powi(x2, 2)/2)*v1 + 0.24*sin(p1*x3 - 0.92)*v2 + 0.51*x1/(1 + powi(x1, 2)) == 0)]
+#[output(place = cos(0.49*x3), power = p1*v3*v3*tan(0.99*sin(x3))/2 - p3*1.24 - 1.79*powi(cos(0.49*x2 - 0.22*x2), 3) - 1.10*powi(v1, 2), push = atan2(x1, 2 + cos(x1))/2*dot(v2) + v1*ddot(x1), pull = (1.06 - 0.33*cos(0.45*x3 + 1.31))*reaction(row2) - push, share = pull/(1.47 + powi(reaction(row2), 2)))]
 pub struct Random171 {
     #[nominal(1.21)]
     pub p1: f64,
@@ -3730,6 +3809,7 @@ pub struct Random175 {
 #[constraint(row1: dot(x2) == 0)]
 #[constraint(row2: 1.71*dot(x3) + 0.28*dot(x3)*dot(x2)*sin(0.46*x3 - 0.56*x3) + 0.52*cos(0.75*x2 - 0.70*x3) == 0)]
 #[constraint(row3: (1.50 + 0.11*atan2(x1, 2 + cos(x1))/2)*ddot(x1) - 0.14*exp(-powi(x3, 2)/2)*ddot(x2) - 0.28*0.87*sin(x2)/(1.50 + cos(x3))*ddot(x3) + 0.30*dot(x3)*dot(x2)*1/sqrt(1.50 + powi(x1, 2)) == 0)]
+#[independent(s1 = dot(x1) + 0.15*sin(0.64*x1 + 0.47*x3 + 0.79)*cos(1.02*x2)*dot(x2), dot(x3))]
 #[independent(dot(x1), dot(x3))]
 pub struct Random176 {
     #[nominal(1.12)]
@@ -3758,6 +3838,7 @@ pub struct Random176 {
 #[constraint(row1: 1.53*x1 + 0.32*x3*x3 - 0.19 == 0)]
 #[constraint(row2: 1.34*x2 + 0.29*powi(x3, 2)/2 + 0.28*powi(x1, 2)/2 - 0.42 == 0)]
 #[constraint(again1: 0.77*(1.53*x1 + 0.32*x3*x3 - 0.19) + 0.58*(1.34*x2 + 0.29*powi(x3, 2)/2 + 0.28*powi(x1, 2)/2 - 0.42) == 0, redundant)]
+#[output(place = sin(p3*x2 + 0.79), power = v3*v2/(1.05 + 0.11*powi(cos(0.52*x1 - 1.45), 3)) - v3*sqrt(2 + powi(v3, 2)) - 1.92*v3/(1 + powi(x2, 2)), push = sin(0.60*x2 + 0.36)*dot(v2) + v2*ddot(x2), pull = (1.06 + 0.27*ln(1.60 + 0.72*cos(x3)))*reaction(row1) - push, share = pull/(1.47 + powi(reaction(row1), 2)))]
 pub struct Random177 {
     #[nominal(0.70)]
     pub p1: f64,
@@ -3783,6 +3864,7 @@ pub struct Random177 {
 )]
 #[constraint(row1: (1.50 + 0.23*1/sqrt(1.50 + powi(x3, 2)))*v3 + 0.16*exp(-powi(t, 2)/2)*v1 - 0.42*x3/(1 + powi(x3, 2)) == 0)]
 #[constraint(row2: (1.50 + 0.21*sin(p1*x2 + 0.38))*v2 - 0.18*sin(0.59*x1 + 0.38*t)*v1 + 0.30*atan2(x3, 2 + cos(x3))/2*v3 == 0)]
+#[output(place = ln(1.60 + 0.35*cos(t)), power = 0.71*powi(v2, 2) - 1.27*v3/(1 + powi(t, 2)), push = sin(0.56*t + 0.22*t - 1.22)*dot(v3) + v1*ddot(x1), pull = (1.35 + 0.30*powi(cos(1.14*x2 + 0.83*x1 + 1.32), 3))*reaction(row2) - push, share = pull/(1.37 + powi(reaction(row2), 2)))]
 pub struct Random178 {
     #[nominal(0.61)]
     pub p1: f64,
@@ -3832,6 +3914,7 @@ pub struct Random179 {
 #[potential_energy(x2/(1 + powi(x2, 2)))]
 #[constraint(row1: v2 + 0.28*0.58*sin(t)/(1.50 + cos(x3))*v4 - 0.37*cos(0.55*x2 + 0.25*x4 - 0.50) == 0)]
 #[independent(v1, v3, v4)]
+#[independent(s1 = (1.50 + 0.28*sin(0.83*x2)*cos(1.05*x2))*v1 + 0.13*cos(0.62*t - 0.54)*v2, v3, s3 = (1.50 - 0.24*tan(0.63*sin(x2))/2)*v4 - 0.26*atan2(t, 2 + cos(x4))/2*v1)]
 pub struct Random181 {
     #[nominal(0.70)]
     pub p1: f64,
@@ -3869,7 +3952,7 @@ pub struct Random181 {
 #[constraint(row2: 1.53*x2 + 0.29*sin(x2) + 0.30*sin(x5) + exp(0.25*x4)/2 + 0.45 == 0)]
 #[constraint(row3: 1.94*x3 + 0.35*sin(x5) + 0.20*x4*x2 + 0.11*powi(x2, 2)/2 + 0.61 == 0)]
 #[constraint(row4: 1.54*x1 + 0.21*sin(x5) + exp(0.15*x4)/2 - 0.23 == 0)]
-#[independent(v5)]
+#[independent(s1 = v5 + 0.30*atan2(x2, 2 + cos(x4))/2*v4 + 0.54*x2/(1 + powi(x2, 2)))]
 pub struct Random182 {
     #[nominal(1.46)]
     pub p1: f64,
@@ -3892,6 +3975,7 @@ pub struct Random182 {
 #[potential_energy(sin(0.59*x2))]
 #[constraint(row1: 1.88*x2 + 0.19*sin(x2) + 0.21*sin(x3) + 0.21*x4*x3 + 0.30*sin(1.33*t) + 0.76 == 0)]
 #[constraint(row2: 1.51*dot(x1) - 0.30*tan(0.74*sin(x2))/2*dot(x3) == 0)]
+#[output(place = sin(0.88*t), power = 1.65*dot(x1) - dot(x1)*sqrt(2 + powi(dot(x2), 2)) - p2*1.99, push = 1/sqrt(1.50 + powi(x4, 2))*ddot(x4) + dot(x4)*ddot(x4), pull = (1.38 + 0.20*sin(0.74*x4 + 0.34*x1)*cos(0.68*x3 - 1.08))*reaction(row1) - push, share = pull/(1.87 + powi(reaction(row1), 2)))]
 pub struct Random183 {
     #[nominal(0.96)]
     pub p1: f64,
@@ -3943,6 +4027,7 @@ pub struct Random184 {
 #[constraint(height: 1.88*x2 + 0.13*sin(x2) + exp(0.30*x3)/2 + 0.33*x1*x5 + exp(0.17*x5)/2 + 0.13 == 0)]
 #[constraint(first: v4 + 0.19*1/sqrt(1.50 + powi(x5, 2))*v3 - 0.60*0.60*sin(x5)/(1.50 + cos(x4)) == 0)]
 #[constraint(second: 1.88*dot(x2) + 0.13*cos(x2)*dot(x2) + 0.30*exp(0.30*x3)*dot(x3)/2 + 0.33*(dot(x1)*x5 + x1*dot(x5)) + 0.17*exp(0.17*x5)*dot(x5)/2 - 0.50*cos(0.57*x5 + 0.98)*(v4 + 0.19*1/sqrt(1.50 + powi(x5, 2))*v3 - 0.60*0.60*sin(x5)/(1.50 + cos(x4))) == 0)]
+#[output(place = sin(0.69*x3 + 0.58*x1 - 0.92), power = p3*exp(0.20*x4) + 0.49*cos(0.40*x1 - 0.55*x2 - 0.99), push = cos(0.55*x4)*dot(v4) + v5*ddot(x5))]
 pub struct Random185 {
     #[nominal(1.50)]
     pub p1: f64,
@@ -3970,6 +4055,7 @@ pub struct Random185 {
 )]
 #[potential_energy(sin(p1*x2 + 1.00))]
 #[configuration(x2 = 1.24*x5/(1 + powi(x5, 2)))]
+#[output(place = x5/(1 + powi(x5, 2)), power = p1*exp(0.20*x4) - 1.30*dot(x5)/(1 + powi(x1, 2)), push = sin(0.95*x1 + 1.34)*ddot(x3) + dot(x4)*ddot(x4))]
 pub struct Random186 {
     #[nominal(1.21)]
     pub p1: f64,
@@ -4050,6 +4136,7 @@ pub struct Random188 {
     w3 = [1.20, -1.20*(0), 0, 0, 0],
     w4 = [0, -1.08*(0.78*ln(1.60 + 0.81*cos(x1))), 0, 1.08, 0],
 )]
+#[output(place = sin(1.16*x5 + 0.55), power = dot(x3)*dot(x5)/1.20 - p3*x1 - 1.25*dot(x5) - 0.38*sin(0.88*x3), push = sin(1.14*x2 - 1.20)*ddot(x3) + dot(x3)*ddot(x3), pull = (1.04 + 0.27*sin(0.79*x2))*reaction(row1) - push, share = pull/(1.67 + powi(reaction(row1), 2)))]
 pub struct Random189 {
     #[nominal(1.35)]
     pub p1: f64,
@@ -4167,6 +4254,8 @@ pub struct Random192 {
 #[constraint(row1: dot(v3) + 0.20*powi(cos(1.10*x1 + 0.26*x3), 3)*dot(v4) + 0.30*x1/(1 + powi(x1, 2))*dot(v2) + 0.29*v2*v1*ln(1.60 + 0.64*cos(x5)) == 0)]
 #[constraint(row2: dot(v5) - 0.23*powi(cos(0.57*x3 + 0.91), 3)*dot(v4) + 0.17*x5/(1 + powi(x5, 2))*dot(v2) - 0.54*v4/sqrt(1.20 + powi(v1, 2)) == 0)]
 #[independent(v1, v2, v4, v5, v3)]
+#[independent(s1 = v1 - 0.27*sin(1.10*x1 - 0.37*x1), s2 = (1.50 + 0.29*x5/(1 + powi(x5, 2)))*v2 - 0.17*exp(-powi(t, 2)/2)*v1, s3 = (1.50 - 0.19*cos(1.15*x5))*v4 - 0.11*sin(p3*x5 + 0.64)*v1 - 0.28*cos(0.98*x1 + 0.71*x5)*v2, v5, s5 = v3 - 0.11*powi(cos(0.83*x1 - 0.46*x3), 3)*v1)]
+#[output(place = x2/(1 + powi(x2, 2)), power = p2*x2 - v3*sqrt(2 + powi(v4, 2)) - 1.92*powi(v2, 2) - v5*sqrt(2 + powi(v4, 2)), push = sin(0.82*x2 + 0.82*x1)*cos(0.69*x2)*dot(v1) + v1*ddot(x1), pull = (1.12 - 0.27*x1/(1 + powi(x1, 2)))*reaction(row2) - push, share = pull/(1.54 + powi(reaction(row2), 2)))]
 pub struct Random193 {
     #[nominal(1.09)]
     pub p1: f64,
@@ -4201,7 +4290,7 @@ pub struct Random193 {
 #[potential_energy(powi(cos(1.15*x2 + 0.84*x3), 3))]
 #[constraint(row1: 1.83*x4 + 0.38*x2 + 0.27*sin(x3) + 0.30*sin(0.96*t) + 0.35 == 0)]
 #[constraint(row2: powi(v1, 2) + 0.16*powi(v4, 2) - (2 + 0.16*atan2(x4, 2 + cos(x3))/2) == 0)]
-#[independent(v3, v2, v1)]
+#[independent(s1 = 1.03*v3 - 0.33*exp(-powi(x1, 2)/2)*v4, s2 = (1.50 + 0.26*cos(0.87*t))*v2 + 0.33*sin(p3*x1 + 0.98)*v3, s3 = v1 + 0.18*cos(1.19*x2 - 0.21*x3)*v3 + 0.22*1/sqrt(1.50 + powi(x1, 2))*v2)]
 pub struct Random194 {
     #[nominal(1.07)]
     pub p1: f64,
@@ -4234,7 +4323,7 @@ pub struct Random194 {
 #[potential_energy(sin(0.54*x3 + 0.31)*cos(0.56*x1 + 0.89*x2))]
 #[constraint(row1: 1.43*x3 + exp(0.35*x2)/2 + 0.32*powi(x4, 2)/2 + 0.17 == 0)]
 #[constraint(row2: (1.50 + 0.20*tan(0.54*sin(x1))/2)*dot(v1) - 0.21*atan2(x3, 2 + cos(x3))/2*dot(v2) - 0.19*atan2(x4, 2 + cos(x1))/2*dot(v4) - 0.34*v2 - 0.34*sin(0.45*x1 + 0.32*x4) == 0)]
-#[independent(v4, v2, v1)]
+#[independent(s1 = (1.50 + 0.25*0.39*sin(x1)/(1.50 + cos(x1)))*v4 + 0.35*atan2(x3, 2 + cos(x4))/2*v3 + 0.27*atan2(x4, 2 + cos(x2))/2, s2 = 1.45*v2 + 0.13*sin(0.49*x3)*v4, v1)]
 pub struct Random195 {
     #[nominal(0.53)]
     pub p1: f64,
@@ -4257,6 +4346,7 @@ pub struct Random195 {
 #[constraint(row2: (1.50 - 0.27*1/sqrt(1.50 + powi(x4, 2)))*dot(x2) - 0.33*ln(1.60 + 0.57*cos(x2))*dot(x1) + 0.33*0.44*sin(x5)/(1.50 + cos(x4))*dot(x3) == 0)]
 #[constraint(row3: 1.44*dot(x4) - 0.14*atan2(x1, 2 + cos(x3))/2*dot(x2)*dot(x3) - 0.42*tan(0.76*sin(x3))/2 == 0)]
 #[constraint(row4: ddot(x5) - 0.13*sin(0.51*x4 - 1.41)*cos(1.10*x2 - 0.32*x5)*ddot(x1) + 0.12*tan(0.35*sin(x1))/2*ddot(x3) + 0.57*dot(x5) + 0.57*sin(0.70*x3 + 0.54*x3) == 0)]
+#[output(place = exp(-powi(x2, 2)/2), power = dot(x3)*dot(x2)/1.01 + dot(x2)*dot(x4)/1.08, push = 0.52*sin(x2)/(1.50 + cos(x2))*ddot(x5) + dot(x5)*ddot(x5), pull = (1.09 - 0.23*1/sqrt(1.50 + powi(x3, 2)))*reaction(row1) - push, share = pull/(1.16 + powi(reaction(row1), 2)))]
 pub struct Random196 {
     #[nominal(1.06)]
     pub p1: f64,
@@ -4341,6 +4431,7 @@ pub struct Random198 {
     1.48*exp(-powi(x4, 2)/2) - 1.64*atan2(x1, 2 + cos(x5))/2 - dot(x5)*sqrt(2 + powi(dot(x4), 2)) - 1.22*dot(x1)/(1 + powi(x5, 2)),
     1.50*dot(x4),
 )]
+#[output(place = cos(0.92*x5), power = 1.78*powi(cos(0.58*x4 - 0.67*x1), 3), push = sin(1.17*x2 + 0.39)*ddot(x5) + dot(x2)*ddot(x2))]
 pub struct Random200 {
     #[nominal(1.39)]
     pub p1: f64,
@@ -4377,6 +4468,7 @@ pub struct Random200 {
 #[constraint(row2: 1.21*x4 + 0.19*sin(x4) + 0.12*powi(x5, 2)/2 + 0.36*sin(x6) + 0.15 == 0)]
 #[constraint(row3: 1.27*x1 + exp(0.25*x5)/2 + 0.37*sin(x6) + 0.19 == 0)]
 #[independent(v2, v6, v5)]
+#[output(place = atan2(x1, 2 + cos(x3))/2, power = 0.36*v2, push = 0.44*sin(x1)/(1.50 + cos(x3))*dot(v3) + v2*ddot(x2), pull = (1.28 + 0.31*0.63*sin(x2)/(1.50 + cos(x5)))*reaction(row1) - push, share = pull/(1.28 + powi(reaction(row1), 2)))]
 pub struct Random202 {
     #[nominal(1.11)]
     pub p1: f64,
@@ -4408,6 +4500,7 @@ pub struct Random202 {
 #[constraint(height: 1.48*x5 + 0.15*sin(x5) + 0.15*x6 + 0.25*powi(x3, 2)/2 + 0.53 == 0)]
 #[constraint(first: 1.03*dot(x4) - 0.22*0.93*sin(x1)/(1.50 + cos(x3))*dot(x6) - 0.20*tan(0.60*sin(x6))/2*dot(x3) + 0.23*atan2(x6, 2 + cos(x6))/2*dot(x1) + 0.48*cos(0.43*x5 - 0.34*x4) == 0)]
 #[constraint(second: 1.48*dot(x5) + 0.15*cos(x5)*dot(x5) + 0.15*dot(x6) + 0.25*x3*dot(x3) - 0.50*sin(1.19*x4 + 0.73*x6 + 0.66)*(1.03*dot(x4) - 0.22*0.93*sin(x1)/(1.50 + cos(x3))*dot(x6) - 0.20*tan(0.60*sin(x6))/2*dot(x3) + 0.23*atan2(x6, 2 + cos(x6))/2*dot(x1) + 0.48*cos(0.43*x5 - 0.34*x4)) == 0)]
+#[output(place = atan2(x4, 2 + cos(x5))/2, power = dot(x1)*sqrt(2 + powi(dot(x2), 2)) + dot(x2)*dot(x2)/(1.25 + 0.29*1/sqrt(1.50 + powi(x5, 2))) + 1.30*dot(x4)/(1 + powi(x1, 2)), push = cos(0.73*x4 - 1.49)*ddot(x6) + dot(x6)*ddot(x6))]
 pub struct Random205 {
     #[nominal(1.34)]
     pub p1: f64,
@@ -4427,6 +4520,7 @@ pub struct Random205 {
 #[constraint(held_x4: x4 - ((x5/1.25)/(1 + powi((x5/1.25), 2))) == 0)]
 #[constraint(held_x2: x2 - (sin(1.18*(x1/1.25) + 0.27*t - 0.46)*cos(1.06*t - 0.88*(x1/1.25))) == 0)]
 #[constraint(held_x3: x3 - (exp(-powi((x5/1.25), 2)/2)) == 0)]
+#[output(place = cos(0.79*x1 - 0.72*x5), power = p2*dot(x2)*dot(x5)*powi(cos(1.08*x3 - 0.52), 3) - p1*dot(x2)*dot(x3)*tan(0.53*sin(t))/2, push = 0.59*sin(x1)/(1.50 + cos(x5))*ddot(x4) + dot(x2)*ddot(x2), pull = (1.37 - 0.24*tan(0.82*sin(x2))/2)*reaction(held_x2) - push, share = pull/(1.85 + powi(reaction(held_x2), 2)))]
 pub struct Random207 {
     #[nominal(0.80)]
     pub p1: f64,
@@ -4465,6 +4559,7 @@ pub struct Random207 {
 #[configuration(x6 = 0.54*1/sqrt(1.50 + powi(x2, 2)))]
 #[constraint(held_x6: x6 - (0.54*1/sqrt(1.50 + powi(x2, 2))) == 0)]
 #[constraint(rolling: 1.06*dot(x3) - 0.28*sin(p1*x3 - 0.21)*dot(x5) - 0.15*sin(0.97*x2 - 0.68)*cos(0.69*x4 + 0.82*x2)*dot(x4) + 0.24*tan(0.66*sin(x1))/2*dot(x1) == 0)]
+#[output(place = 1/sqrt(1.50 + powi(x2, 2)), power = p1*v2*v1*ln(1.60 + 0.82*cos(x1)) + 1.18*1/sqrt(1.50 + powi(x2, 2)), push = sin(0.81*x5 + 0.12)*cos(0.84*x1)*dot(v5) + v1*ddot(x1), pull = (1.33 - 0.16*sin(0.85*x6 + 0.64)*cos(0.50*x6))*reaction(held_x6) - push, share = pull/(1.11 + powi(reaction(held_x6), 2)))]
 pub struct Random208 {
     #[nominal(0.57)]
     pub p1: f64,
@@ -4523,7 +4618,7 @@ pub struct Random209 {
 #[constraint(row3: 1.19*dot(x6) + 0.13*sin(0.83*x6 + 0.22)*cos(0.83*x2 - 0.46*t - 1.16)*dot(x1) + 0.21*sin(p1*x1 + 0.81)*dot(x2) - 0.24*exp(-powi(x1, 2)/2)*dot(x3) == 0)]
 #[constraint(row4: 1.16*dot(x5) - 0.21*cos(1.17*x4 + 0.72*x2)*dot(x1) - 0.22*exp(-powi(x5, 2)/2)*dot(x2) == 0)]
 #[constraint(row5: 1.60*dot(x4) + 0.35*cos(1.05*x2 - 0.81*t + 0.91)*dot(x1) + 0.17*ln(1.60 + 0.67*cos(x3))*dot(x2) == 0)]
-#[independent(dot(x1))]
+#[independent(s1 = (1.50 - 0.20*exp(-powi(x3, 2)/2))*dot(x1) - 0.14*tan(0.84*sin(t))/2*dot(x2) + 0.29*cos(1.11*t)*dot(x3))]
 pub struct Random210 {
     #[nominal(0.95)]
     pub p1: f64,
@@ -4587,6 +4682,7 @@ pub struct Random211 {
 #[constraint(row3: 1.14*v3 - 0.15*sin(v3 + x5/(1 + powi(x5, 2))*v4) + 0.26*cos(0.58*x4 - 0.30*x6 + 0.87) == 0)]
 #[constraint(row4: 1.19*v2 - 0.18*exp(-powi(x4, 2)/2)*v4*v4 - 0.29*1/sqrt(1.50 + powi(x2, 2)) == 0)]
 #[constraint(row5: 1.10*v1 - 0.11*sin(v1 + exp(-powi(x2, 2)/2)*v4) - 0.44*sin(0.48*x2)*cos(1.03*x1 + 0.75*x2 - 0.63) == 0)]
+#[output(place = exp(-powi(x3, 2)/2), power = p1*x4 - p1*x5, push = atan2(x2, 2 + cos(x2))/2*dot(v4) + v2*ddot(x2), pull = 1.37*reaction(row3) - push, share = pull/(1.86 + powi(reaction(row3), 2)))]
 pub struct Random212 {
     #[nominal(1.30)]
     pub p1: f64,
@@ -4626,6 +4722,7 @@ pub struct Random212 {
 #[constraint(row3: 1.47*dot(v4) + 0.15*sin(0.49*x2 + 1.14)*dot(v5) + 0.28*1/sqrt(1.50 + powi(x3, 2))*dot(v1) + 0.34*0.55*sin(x4)/(1.50 + cos(x2)) == 0)]
 #[constraint(row4: ddot(x2) + 0.28*cos(0.59*x1 - 0.60*x4)*dot(v5) + 0.30*cos(0.54*x1)*dot(v1) + 0.61*v4*v5*sin(p1*x1 - 0.32) == 0)]
 #[constraint(row5: (1.50 - 0.14*x1/(1 + powi(x1, 2)))*dot(v3) - 0.17*sin(p2*x2 - 0.65)*dot(v5) + 0.20*sin(0.54*x3)*dot(v1) + 0.29*v4 + 0.29*exp(-powi(x1, 2)/2) == 0)]
+#[independent(s1 = v3 + 0.57*cos(0.99*x1), s2 = (1.50 - 0.12*sin(p3*x3 - 0.34))*v2 + 0.11*sin(0.56*x3 + 0.31*x4)*cos(0.67*x2 - 0.11)*v3, s3 = 1.39*v4 - 0.11*exp(-powi(x5, 2)/2)*v3 + 0.52*sin(0.94*x3), v1, s5 = 1.57*v5 - 0.14*atan2(x1, 2 + cos(x5))/2*v3 + 0.33*sin(0.57*x4 + 0.43*x5)*cos(1.00*x4 - 0.58*x2))]
 #[independent(v3, v2, v4, v1, v5)]
 pub struct Random213 {
     #[nominal(0.78)]
@@ -4651,6 +4748,8 @@ pub struct Random213 {
 #[constraint(row1: 1.60*x1 + 0.40*powi(x2, 2)/2 - 0.30 == 0)]
 #[constraint(row2: ddot(x6) + 0.26*tan(0.45*sin(x6))/2*ddot(x2) + 0.16*1/sqrt(1.50 + powi(x3, 2))*ddot(x4) - 0.73*dot(x6)*dot(x3)*sin(0.50*x5) == 0)]
 #[independent(dot(x5), dot(x3), dot(x4), dot(x2), dot(x6))]
+#[independent(s1 = 1.13*dot(x5) + 0.21*sin(0.60*x2 + 0.79)*dot(x1), dot(x3), s3 = dot(x4) + 0.32*x5/(1 + powi(x5, 2))*dot(x5) - 0.27*sin(p1*x2 - 0.72)*dot(x3), s4 = 1.90*dot(x2) + 0.24*tan(0.86*sin(x1))/2*dot(x5) - 0.25*sin(1.09*x2)*dot(x3), dot(x6))]
+#[output(place = powi(cos(0.70*x6), 3), power = dot(x4)*sqrt(2 + powi(dot(x2), 2)) + p2*1.05, push = ln(1.60 + 0.31*cos(x6))*ddot(x2) + dot(x6)*ddot(x6), pull = (1.25 + 0.23*ln(1.60 + 0.40*cos(x6)))*reaction(row2) - push, share = pull/(1.36 + powi(reaction(row2), 2)))]
 pub struct Random215 {
     #[nominal(0.51)]
     pub p1: f64,
@@ -4674,6 +4773,7 @@ pub struct Random215 {
 #[constraint(row2: dot(x3) - 0.13*0.64*sin(x2)/(1.50 + cos(x4))*dot(x4) - 0.33*sin(0.81*t + 0.86*t)*dot(x5) == 0)]
 #[constraint(row3: 1.35*dot(x1) - 0.21*sqrt(1.50 + powi(dot(x4), 2) + powi(dot(x5), 2)) - 0.21*cos(1.12*t + 0.86*x3 - 1.31) == 0)]
 #[constraint(row4: (1.50 - 0.12*1/sqrt(1.50 + powi(x3, 2)))*ddot(x2) + 0.25*sin(p2*x1 - 0.75)*ddot(x4) + 0.25*1/sqrt(1.50 + powi(x4, 2))*ddot(x5) - 0.54*ln(1.60 + 0.52*cos(t)) == 0)]
+#[output(place = atan2(t, 2 + cos(x5))/2, power = 0.63*powi(dot(x5), 2), push = 1/sqrt(1.50 + powi(x2, 2))*ddot(x4) + dot(x3)*ddot(x3), pull = 1.14*reaction(row2) - push, share = pull/(1.24 + powi(reaction(row2), 2)))]
 pub struct Random216 {
     #[nominal(0.83)]
     pub p1: f64,
@@ -4765,6 +4865,7 @@ pub struct Random218 {
 #[potential_energy(tan(0.37*sin(x4))/2)]
 #[configuration(x2 = 0.63*1/sqrt(1.50 + powi(x1, 2)), x4 = 1.14*sin(1.05*x1))]
 #[constraint(bound: ddot(x1) + 0.11*exp(-powi(x1, 2)/2)*ddot(x5) - 0.15*tan(0.92*sin(x5))/2*ddot(x3) + 0.42*dot(x4)*dot(x3)*sin(0.90*x2 + 0.54*x5 - 1.00) == 0)]
+#[output(place = sin(0.70*x5)*cos(0.77*x3), power = dot(x5)*dot(x2)/(1.25 - 0.27*sin(0.73*x5 + 0.28*x1)) + 1.23*tan(0.35*sin(x5))/2 + 0.35*dot(x1)/(1 + powi(x4, 2)) + 0.87*powi(dot(x4), 2), push = cos(0.69*x3)*ddot(x1) + dot(x4)*ddot(x4), pull = 1.36*reaction(bound) - push, share = pull/(1.89 + powi(reaction(bound), 2)))]
 pub struct Random219 {
     #[nominal(1.29)]
     pub p1: f64,
@@ -4825,6 +4926,7 @@ pub struct Random220 {
 #[potential_energy(atan2(x2, 2 + cos(x4))/2)]
 #[constraint(row1: (1.50 - 0.22*sin(1.01*x5 + 0.90*x6 + 0.59))*v1 - 0.20*sin(0.86*x5)*v4 + 0.33*tan(0.86*sin(x2))/2*v3 - 0.39*cos(0.79*x3 + 0.73) == 0)]
 #[independent(v5, v6, v2, v3, v4)]
+#[output(place = atan2(x6, 2 + cos(x6))/2, power = v1*sqrt(2 + powi(v6, 2)) + 0.87*powi(v1, 2) + p1*v5*v4*0.58*sin(x2)/(1.50 + cos(x2)), push = sin(p1*x3 - 0.51)*dot(v2) + v1*ddot(x1), pull = (1.14 + 0.19*sin(1.08*x6))*reaction(row1) - push, share = pull/(1.01 + powi(reaction(row1), 2)))]
 pub struct Random221 {
     #[nominal(1.04)]
     pub p1: f64,
@@ -4842,6 +4944,7 @@ pub struct Random221 {
 )]
 #[potential_energy(sin(0.84*x1))]
 #[constraint(row1: 1.60*x1 + 0.21*sin(x1) + 0.48 == 0)]
+#[output(place = sin(0.73*x1 + 0.70*x1), power = p1*exp(0.20*x1) - 1.74*dot(x1)/(1 + powi(x1, 2)), push = ln(1.60 + 0.33*cos(x1))*ddot(x1) + dot(x1)*ddot(x1), pull = 1.03*reaction(row1) - push, share = pull/(1.03 + powi(reaction(row1), 2)))]
 pub struct Random222 {
     #[nominal(1.37)]
     pub p1: f64,
@@ -5009,6 +5112,7 @@ pub struct Random229 {
 )]
 #[potential_energy(ln(1.60 + 0.90*cos(x1)))]
 #[independent(v1)]
+#[output(place = ln(1.60 + 0.32*cos(x1)), power = p1*exp(0.20*x1) + p3*x1 + 1.40*powi(v1, 2), push = 0.33*sin(x1)/(1.50 + cos(x1))*dot(v1) + v1*ddot(x1))]
 pub struct Random230 {
     #[nominal(1.38)]
     pub p1: f64,
@@ -5030,6 +5134,7 @@ pub struct Random230 {
 )]
 #[potential_energy(1/sqrt(1.50 + powi(x1, 2)))]
 #[constraint(row1: 1.97*x1 + 0.30*sin(0.70*t) - 0.29 == 0)]
+#[output(place = cos(0.54*t), power = p1*exp(0.20*x1) + 0.36*v1/(1 + powi(x1, 2)), push = sin(0.47*x1 + 0.47*t + 1.08)*dot(v1) + v1*ddot(x1), pull = 1.31*reaction(row1) - push, share = pull/(1.36 + powi(reaction(row1), 2)))]
 pub struct Random231 {
     #[nominal(0.93)]
     pub p1: f64,
@@ -5067,6 +5172,8 @@ pub struct Random231 {
 #[potential_energy(tan(0.97*sin(x4))/2)]
 #[constraint(row1: powi(v5, 2) + 0.26*powi(v3, 2) - (2 + 0.26*atan2(x6, 2 + cos(x2))/2) == 0)]
 #[independent(v1, v6, v4, v2, v3, v5)]
+#[independent(s1 = (1.50 + 0.28*1/sqrt(1.50 + powi(x1, 2)))*v1 - 0.32*sin(1.12*x3 - 0.21)*cos(0.42*x2 + 0.58*x1), v6, s3 = v4 - 0.29*x1/(1 + powi(x1, 2))*v1, s4 = 1.26*v2 + 0.34*sin(1.05*x6)*v1 + 0.15*powi(cos(1.08*x2), 3)*v6, s5 = (1.50 + 0.26*x5/(1 + powi(x5, 2)))*v3 - 0.23*cos(0.91*x6 - 0.34*x5)*v1 - 0.23*cos(0.98*x1)*v6 - 0.34*sin(p1*x4 - 0.65), v5)]
+#[output(place = sin(0.83*x2 + 0.76*x4 - 1.12), power = p1*x5 + p1*x5 + 0.76*powi(v5, 2), push = 0.31*sin(x4)/(1.50 + cos(x5))*dot(v2) + v6*ddot(x6), pull = (1.30 + 0.32*powi(cos(0.57*x6 - 0.67*x1 + 1.10), 3))*reaction(row1) - push, share = pull/(1.47 + powi(reaction(row1), 2)))]
 pub struct Random232 {
     #[nominal(1.29)]
     pub p1: f64,
@@ -5124,6 +5231,7 @@ pub struct Random233 {
 )]
 #[constraint(row1: 1.79*x1 + exp(0.37*x4)/2 - 0.71 == 0)]
 #[constraint(row2: 1.17*v6 - 0.29*sin(v6 + sin(0.40*x4 - 0.57*x3 + 0.93)*v4) + 0.49*ln(1.60 + 0.59*cos(x5)) == 0)]
+#[output(place = x2/(1 + powi(x2, 2)), power = v4*v4/(1.29 + 0.23*atan2(x4, 2 + cos(x6))/2), push = 0.34*sin(x4)/(1.50 + cos(x6))*dot(v3) + v5*ddot(x5), pull = 1.04*reaction(row1) - push, share = pull/(1.39 + powi(reaction(row1), 2)))]
 pub struct Random234 {
     #[nominal(1.13)]
     pub p1: f64,
@@ -5182,6 +5290,7 @@ pub struct Random235 {
 #[constraint(row3: 1.33*v3 - 0.18*sin(v3 + atan2(x1, 2 + cos(x6))/2*v2) + 0.21*sin(1.11*x3 + 0.34*x3 + 1.35) == 0)]
 #[constraint(row4: dot(v1) + 0.25*sin(0.77*x3)*dot(v2) + 0.19*cos(0.74*x2)*dot(v4) - 0.75*v2 - 0.75*sin(0.59*x5 + 0.22*x2) == 0)]
 #[independent(v4, v2, v1, v3)]
+#[independent(s1 = v4 + 0.32*ln(1.60 + 0.65*cos(x6))*v5 - 0.52*exp(-powi(x5, 2)/2), s2 = (1.50 - 0.12*atan2(x6, 2 + cos(x4))/2)*v2 + 0.15*ln(1.60 + 0.35*cos(x3))*v4, v1, s4 = 1.19*v3 - 0.18*atan2(x1, 2 + cos(x2))/2*v4 + 0.13*cos(0.75*x5)*v2)]
 pub struct Random236 {
     #[nominal(0.87)]
     pub p1: f64,
@@ -5253,6 +5362,7 @@ pub struct Random27Whole {
 #[constraint(held_x3: x3 - (0.68*cos(1.10*x2)) == 0)]
 #[constraint(held_x1: x1 - (1.15*sin(0.99*x2 + 0.50*x2 - 1.40)) == 0)]
 #[constraint(bound: powi(dot(x2), 2) + 0.19*powi(dot(x3), 2) - (2 + 0.19*sin(0.56*x1)*cos(1.00*x3)) == 0)]
+#[output(place = cos(0.96*x1 + 0.25*x1), power = p2*x1, push = sin(0.66*x1 - 0.23*x1 + 1.20)*ddot(x2) + dot(x3)*ddot(x3), pull = 1.26*reaction(held_x3) - push, share = pull/(1.72 + powi(reaction(held_x3), 2)))]
 pub struct Random39Whole {
     #[nominal(1.14)]
     pub p1: f64,
@@ -5320,6 +5430,7 @@ pub struct Random48Whole {
 )]
 #[constraint(held_x5: x5 - (cos(0.89*(x2/1.25))) == 0)]
 #[constraint(held_x1: x1 - (cos(0.58*(x3/1.25))) == 0)]
+#[output(place = cos(0.88*x4 + 0.82*x3 - 0.38), power = 0.48*powi(v5, 2) - p1*v2*v5*tan(0.89*sin(x5))/2 - 0.73*0.48*sin(x1)/(1.50 + cos(x4)) - v3*v1/(1.10 + 0.30*0.56*sin(x2)/(1.50 + cos(x5))), push = cos(1.19*x2)*dot(v4) + v4*ddot(x4), pull = (1.36 + 0.32*1/sqrt(1.50 + powi(x2, 2)))*reaction(held_x5) - push, share = pull/(1.58 + powi(reaction(held_x5), 2)))]
 pub struct Random67Whole {
     #[nominal(0.50)]
     pub p1: f64,
@@ -5354,6 +5465,7 @@ pub struct Random67Whole {
 #[constraint(held_x6: x6 - (0.95*sin(0.86*x1)) == 0)]
 #[constraint(held_x2: x2 - (0.66*ln(1.60 + 0.81*cos(x4))) == 0)]
 #[constraint(rolling: (1.50 - 0.14*cos(0.96*x4 - 0.49*x5))*dot(x3) + 0.32*atan2(x5, 2 + cos(x3))/2*dot(x1) + 0.20*cos(1.20*x1 + 0.31*x4)*dot(x4) - 0.12*tan(0.65*sin(x4))/2*dot(x5) == 0)]
+#[output(place = ln(1.60 + 0.96*cos(x4)), power = p3*x1 + v4*v5/1.24 + 1.02*v2/(1 + powi(x4, 2)) + 1.04*cos(0.50*x1 - 0.30*x6 - 0.22), push = x3/(1 + powi(x3, 2))*dot(v5) + v3*ddot(x3), pull = (1.23 + 0.12*exp(-powi(x5, 2)/2))*reaction(held_x2) - push, share = pull/(1.52 + powi(reaction(held_x2), 2)))]
 pub struct Random88Whole {
     #[nominal(0.54)]
     pub p1: f64,
@@ -5434,6 +5546,7 @@ pub struct Random139Whole {
     p2*v1*v2*sin(1.07*x1 + 0.71*x1 + 0.97),
 )]
 #[constraint(held_x1: x1 - (1.14*x2/(1 + powi(x2, 2))) == 0)]
+#[output(place = exp(-powi(x1, 2)/2), power = 1.01*v1/(1 + powi(x1, 2)), push = powi(cos(0.59*x1 - 0.37*x2), 3)*dot(v1) + v2*ddot(x2), pull = 1.10*reaction(held_x1) - push, share = pull/(1.50 + powi(reaction(held_x1), 2)))]
 pub struct Random146Whole {
     #[nominal(1.50)]
     pub p1: f64,
@@ -5542,6 +5655,7 @@ pub struct Random166Whole {
 #[potential_energy(sin(p2*x2 + 0.69))]
 #[constraint(held_x2: x2 - (0.99*sin((x1/1.25))/(1.50 + cos((x1/1.25)))) == 0)]
 #[constraint(held_x4: x4 - (0.77*sin((x1/1.25))/(1.50 + cos((x3/1.25)))) == 0)]
+#[output(place = exp(-powi(x3, 2)/2), power = 1.04*0.75*sin(x2)/(1.50 + cos(x1)) - 0.30*v4, push = sin(p3*x3 + 0.68)*dot(v2) + v3*ddot(x3), pull = 1.16*reaction(held_x4) - push, share = pull/(1.64 + powi(reaction(held_x4), 2)))]
 pub struct Random167Whole {
     #[nominal(0.62)]
     pub p1: f64,
@@ -5618,6 +5732,7 @@ pub struct Random187Whole {
 #[constraint(held_x4: x4 - ((x5/1.25)/(1 + powi((x5/1.25), 2))) == 0)]
 #[constraint(held_x2: x2 - (sin(1.18*(x1/1.25) + 0.27*t - 0.46)*cos(1.06*t - 0.88*(x1/1.25))) == 0)]
 #[constraint(held_x3: x3 - (exp(-powi((x5/1.25), 2)/2)) == 0)]
+#[output(place = cos(0.79*x1 - 0.72*x5), power = p2*dot(x2)*dot(x5)*powi(cos(1.08*x3 - 0.52), 3) - p1*dot(x2)*dot(x3)*tan(0.53*sin(t))/2, push = 0.59*sin(x1)/(1.50 + cos(x5))*ddot(x4) + dot(x2)*ddot(x2), pull = (1.37 - 0.24*tan(0.82*sin(x2))/2)*reaction(held_x2) - push, share = pull/(1.85 + powi(reaction(held_x2), 2)))]
 pub struct Random207Whole {
     #[nominal(0.80)]
     pub p1: f64,
@@ -5655,6 +5770,7 @@ pub struct Random207Whole {
 #[potential_energy(powi(cos(0.74*x6 - 0.47*x5), 3))]
 #[constraint(held_x6: x6 - (0.54*1/sqrt(1.50 + powi(x2, 2))) == 0)]
 #[constraint(rolling: 1.06*dot(x3) - 0.28*sin(p1*x3 - 0.21)*dot(x5) - 0.15*sin(0.97*x2 - 0.68)*cos(0.69*x4 + 0.82*x2)*dot(x4) + 0.24*tan(0.66*sin(x1))/2*dot(x1) == 0)]
+#[output(place = 1/sqrt(1.50 + powi(x2, 2)), power = p1*v2*v1*ln(1.60 + 0.82*cos(x1)) + 1.18*1/sqrt(1.50 + powi(x2, 2)), push = sin(0.81*x5 + 0.12)*cos(0.84*x1)*dot(v5) + v1*ddot(x1), pull = (1.33 - 0.16*sin(0.85*x6 + 0.64)*cos(0.50*x6))*reaction(held_x6) - push, share = pull/(1.11 + powi(reaction(held_x6), 2)))]
 pub struct Random208Whole {
     #[nominal(0.57)]
     pub p1: f64,

@@ -27,7 +27,11 @@ pub fn check(system: &System<'_>, claim: &Claim) -> Report {
     let dynamics = system.dynamics(t, x, v);
     let rows = system.rows(t, x, v);
     let chart = chart_condition(system, claim, &dynamics, &rows);
-    let state = Compared { system, claim, motion, dynamics, rows, chart };
+    let mut state = Compared { system, claim, motion, dynamics, rows, chart };
+    if let Some(list) = system.model.charts.first() {
+        // with combinations for speeds there is no unit block to judge by
+        state.chart = state.chart.max(state.condition_of(list, &claim.guards));
+    }
     let mut report = Report::default();
     state.evaluated(&mut report);
     state.declared_rows(&mut report);
@@ -37,6 +41,7 @@ pub fn check(system: &System<'_>, claim: &Claim) -> Report {
     state.reactions(&mut report);
     state.any_complement(&mut report);
     state.gauss(&mut report);
+    state.charts(&mut report);
     state.outputs(&mut report);
     report
 }

@@ -13,6 +13,21 @@ pub struct Multiplier {
     pub row: Option<usize>,
 }
 
+/// What a derivation says about the same state in the speeds of one chart.
+#[derive(Clone, Debug, Default)]
+pub struct ChartClaim {
+    /// u of v.
+    pub speeds: Vec<f64>,
+    /// v of u.
+    pub velocities: Vec<f64>,
+    /// The rates of the state's coordinates.
+    pub coordinate_rates: Vec<f64>,
+    /// u̇.
+    pub accelerations: Vec<f64>,
+    /// What the chart divides by.
+    pub guards: Vec<f64>,
+}
+
 /// Everything a derivation says about one state.
 #[derive(Clone, Debug)]
 pub struct Claim {
@@ -70,6 +85,8 @@ pub struct Claim {
     pub kinetic_energy: f64,
     /// V.
     pub potential_energy: Option<f64>,
+    /// The same state in every chart, the state's own first.
+    pub charts: Vec<ChartClaim>,
     /// Outputs by name.
     pub outputs: Vec<(String, f64)>,
     /// The same from the carriers, their rates and λ, where the claim tells these.

@@ -9,7 +9,7 @@ use nalgebra::DMatrix;
 use std::collections::BTreeSet;
 
 /// The classes that are counted.
-pub const CLASSES: [&str; 16] = [
+pub const CLASSES: [&str; 18] = [
     "nonlinear φ",
     "acceleration rows",
     "two kinds mixed",
@@ -26,6 +26,8 @@ pub const CLASSES: [&str; 16] = [
     "m = n − 1",
     "redundant rows",
     "M from T",
+    "combined speeds",
+    "several charts",
 ];
 
 /// A derivative below this is none.
@@ -71,6 +73,8 @@ pub fn classes(system: &System<'_>, t: f64, x: &[f64], v: &[f64], k: usize) -> B
         "m = n − 1" => n > 1 && rank == n - 1,
         "redundant rows" => rank < c.nrows() && model.constraints.iter().any(|c| c.redundant),
         "M from T" => model.kinetic_energy.is_some(),
+        "combined speeds" => model.charts.iter().flatten().any(|chosen| chosen.name.is_some()),
+        "several charts" => model.charts.len() > 1,
         other => panic!("{other} is no class"),
     };
     CLASSES.into_iter().filter(|class| holds(class)).collect()

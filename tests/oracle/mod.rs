@@ -11,6 +11,7 @@
 //! What a derivation claims (a [`Claim`]) is then held against that solution, see [`check`].
 #![allow(dead_code, unused_imports, reason = "every test file uses its own part of the oracle")]
 
+mod charts;
 mod check;
 mod claim;
 mod classes;
@@ -30,10 +31,10 @@ mod statements;
 mod system;
 
 pub use check::check;
-pub use claim::{Claim, Multiplier};
+pub use claim::{ChartClaim, Claim, Multiplier};
 pub use classes::{CLASSES, classes};
 pub use consistency::{closed, onto_nonlinear_rows, onto_velocity_rows};
-pub use declaration::{Configuration, Constraint, Declaration, Level};
+pub use declaration::{Chosen, Configuration, Constraint, Declaration, Level};
 pub use kkt::{Motion, conditioned_rank};
 pub use number::{Dual, Number, Scaled};
 pub use reader::read_models;

@@ -1,6 +1,6 @@
 //! The statements of a model, one attribute each.
 
-use super::declaration::{Configuration, Constraint, Declaration, Level};
+use super::declaration::{Chosen, Configuration, Constraint, Declaration, Level};
 use std::collections::BTreeMap;
 use syn::parse::{Parse, ParseStream, Parser};
 use syn::punctuated::Punctuated;
@@ -21,7 +21,7 @@ pub fn read(model: &mut Declaration, name: &str, attribute: &Attribute) -> Resul
         "potential_energy" => model.potential_energy = Some(attribute.parse_args()?),
         "constraint" => model.constraints.push(attribute.parse_args_with(constraint)?),
         "configuration" => model.configuration = Some(configuration(list()?)?),
-        "independent" => model.independent = list()?,
+        "independent" => model.charts.push(list()?.into_iter().map(chosen).collect::<Result<_>>()?),
         "velocities" => model.gives_velocities = true,
         "complement" => {
             for (name, row) in assignments(list()?)? {
@@ -132,6 +132,16 @@ fn assignments(list: Vec<Expr>) -> Result<Vec<(String, Expr)>> {
     list.into_iter().map(named).collect()
 }
 
+/// A speed, the rate of a coordinate, or `name = combination`.
+fn chosen(e: Expr) -> Result<Chosen> {
+    if !matches!(e, Expr::Assign(_)) {
+        return Ok(Chosen { name: None, value: e });
+    }
+    let (left, value) = assignment(e)?;
+    let name = plain(&left).ok_or_else(|| Error::new_spanned(&left, "not a name"))?;
+    Ok(Chosen { name: Some(name), value })
+}
+
 /// Either direction; the order is that of x or of v, so both must have been declared above.
 fn kinematics(model: &mut Declaration, list: Vec<Expr>) -> Result<()> {
     let (mut rates, mut speeds) = (BTreeMap::new(), BTreeMap::new());
@@ -210,6 +220,7 @@ fn configuration(list: Vec<Expr>) -> Result<Configuration> {
             _ => configuration.quasi.push((left, right)),
         }
     }
+    configuration.speeds = quasi;
     Ok(configuration)
 }
 

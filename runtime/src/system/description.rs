@@ -144,7 +144,7 @@ pub struct OutputInfo {
 }
 
 /// A figure that tells whether a state, or a set of parameters, is a regular one.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[derive(Copy, Clone, Debug, PartialEq)]
 pub struct GuardInfo {
     /// The expression, as text.
     pub name: &'static str,
@@ -154,6 +154,12 @@ pub struct GuardInfo {
     pub origin: &'static str,
     /// The constraints that it comes from, where it comes from some.
     pub rows: &'static [&'static str],
+    /// Its value at the start that the model names, with the nominal parameters, to three digits: what a figure may be
+    /// compared with. Position constraints are closed there first. `None` where the model does not say enough.
+    ///
+    /// A run compares a guard with the largest magnitude that it had so far, and ends, or leaves the chart, where it has
+    /// changed its sign or is less than [`SINGULAR`](crate::simulate::SINGULAR) of that.
+    pub start: Option<f64>,
 }
 
 /// A choice of independent speeds.
@@ -170,12 +176,19 @@ pub struct GuardInfo {
 /// assert_eq!((across.speeds, along.speeds), (["dot_x"].as_slice(), ["dot_y"].as_slice()));
 /// assert_eq!((across.guards[0].name, along.guards[0].name), ("y", "x"));
 /// ```
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[derive(Copy, Clone, Debug, PartialEq)]
 pub struct ChartInfo {
     /// u of the chart.
     pub speeds: &'static [&'static str],
     /// What the chart divides by.
     pub guards: &'static [GuardInfo],
+    /// The relative pivot of the chart at the start that the model names, to three digits: with the rows C of the constraints
+    /// and u = L v + l0, |det \[C; L\]| over the volumes of the rows of C and of those of L. It is 1 where the independent
+    /// speeds are at right angles to all that the constraints bind, and 0 where they do not determine the others. `None`
+    /// where the model does not say enough, or gives D or v itself.
+    ///
+    /// Choices are made from the declarations alone; a run judges charts again at every step, in the kinetic metric.
+    pub relative_pivot: Option<f64>,
 }
 
 /// What a guard must satisfy.

@@ -20,6 +20,7 @@ const STATE: Mentions = PLACE
     .and(Mentions::FURTHER_RATES)
     .and(Mentions::QUASI)
     .and(Mentions::FREE)
+    .and(Mentions::COMBINATIONS)
     .and(Mentions::INPUTS)
     .and(Mentions::ACCELERATIONS)
     .and(Mentions::FURTHER_ACCELERATIONS)
@@ -60,6 +61,17 @@ impl Context {
             .and(Mentions::QUASI)
             .and(Mentions::FREE),
         rule: messages::RULE_VELOCITIES,
+    };
+    pub const COMBINATION: Context =
+        Context { allowed: PLACE.and(Mentions::SPEEDS).and(Mentions::RATES), rule: messages::RULE_COMBINATION };
+    pub const COMBINATION_OF_RATES: Context = Context {
+        allowed: PLACE
+            .and(Mentions::FURTHER)
+            .and(Mentions::SPEEDS)
+            .and(Mentions::RATES)
+            .and(Mentions::FURTHER_RATES)
+            .and(Mentions::QUASI),
+        rule: messages::RULE_COMBINATION,
     };
     pub const COMPLEMENT: Context = Context { allowed: PLACE, rule: messages::RULE_COMPLEMENT };
     pub const COMPLEMENT_OF_RATES: Context =

@@ -41,6 +41,8 @@ pub(super) struct Vocabulary<'a> {
     pub quasi: Vec<Symbol>,
     /// The independent speeds of `velocities(of(..))`.
     pub free: Vec<Symbol>,
+    /// The combinations of speeds of `independent(s = ..)`, through all lists.
+    pub combinations: Vec<Symbol>,
     /// The second rates of `further`, where something has mentioned them.
     pub further_accelerations: Vec<Option<Symbol>>,
     /// The rates of the quasi-velocities, where something has mentioned them.
@@ -88,6 +90,8 @@ impl<'a> Vocabulary<'a> {
         let inputs = symbols(of(&declarations.inputs), Kind::Input);
         let quasi = declarations.configuration.as_ref().map_or(Vec::new(), |c| symbols(of(&c.speeds), Kind::Speed));
         let free = declarations.velocities.as_ref().map_or(Vec::new(), |v| symbols(of(&v.further), Kind::Speed));
+        let combined = declarations.independent.iter().flat_map(|list| list.combinations());
+        let combinations = symbols(combined.map(|(name, _)| name.ident.to_string()).collect(), Kind::Speed);
         let functions = declarations.functions.iter().map(|function| {
             let names: Vec<String> = function.orders.iter().map(last_name).collect();
             graph.give(&names)
@@ -111,6 +115,7 @@ impl<'a> Vocabulary<'a> {
             second_rates,
             quasi,
             free,
+            combinations,
             inputs,
             reactions: Vec::new(),
             outputs: Vec::new(),
@@ -257,6 +262,7 @@ impl<'a> Vocabulary<'a> {
             Meaning::Speed(i) => (self.speeds[i], Mentions::SPEEDS),
             Meaning::Quasi(i) => (self.quasi[i], Mentions::QUASI),
             Meaning::Free(i) => (self.free[i], Mentions::FREE),
+            Meaning::Combination(i) => (self.combinations[i], Mentions::COMBINATIONS),
             Meaning::Input(i) => (self.inputs[i], Mentions::INPUTS),
             Meaning::Time => (self.time, Mentions::TIME),
             Meaning::Pi => (self.graph.pi_symbol(), Mentions::NONE),

@@ -162,6 +162,7 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
                 (None, statement) => statement.as_ref().map_or(model, |statement| statement.span),
             },
             complement: declarations.complement.as_ref().map_or(model, |statement| statement.span),
+            start: declarations.start.first().map_or(model, |first| first.name.span()),
         },
         start,
         nominal,

@@ -106,8 +106,10 @@ impl Vocabulary<'_> {
                         let found = (self.quasi_rate(i), Mentions::FURTHER_ACCELERATIONS);
                         return self.rate(function, name, found, span, context, diagnostics);
                     }
-                    Some(Meaning::Free(_)) if context.allowed.intersects(Mentions::FREE) => {
-                        messages::rate_of_free(name)
+                    Some(meaning @ (Meaning::Free(_) | Meaning::Combination(_)))
+                        if context.allowed.intersects(Mentions::FREE) =>
+                    {
+                        messages::rate_without_name(name, meaning.describe())
                     }
                     Some(Meaning::Further(_)) => {
                         let what = Mentions::FURTHER.describe();

@@ -24,6 +24,8 @@ pub(super) enum Meaning {
     Quasi(usize),
     /// An independent speed from `velocities(of(..))`.
     Free(usize),
+    /// A combination of speeds from `independent(s = ..)`, counted through all lists.
+    Combination(usize),
     Input(usize),
     Define(usize),
     /// A function of the user's.
@@ -42,6 +44,7 @@ impl Meaning {
             Meaning::Speed(_) => "a speed",
             Meaning::Quasi(_) => "a speed of `configuration`",
             Meaning::Free(_) => "a speed of `velocities`",
+            Meaning::Combination(_) => "a combination of speeds in `independent`",
             Meaning::Input(_) => "an input",
             Meaning::Define(_) => "a define",
             Meaning::Function(_) => "a function",
@@ -88,6 +91,9 @@ impl Names {
         for (i, name) in declarations.velocities.iter().flat_map(|v| &v.further).enumerate() {
             enter(&name.ident, Meaning::Free(i));
         }
+        for (i, (name, _)) in declarations.independent.iter().flat_map(|list| list.combinations()).enumerate() {
+            enter(&name.ident, Meaning::Combination(i));
+        }
         for (i, name) in declarations.inputs.iter().enumerate() {
             enter(&name.ident, Meaning::Input(i));
         }
@@ -121,7 +127,7 @@ impl Names {
     }
 
     /// The coordinate of which this is the name of the rate in emitted code.
-    fn rate_of<'a>(&self, name: &'a str) -> Option<&'a str> {
+    pub fn rate_of<'a>(&self, name: &'a str) -> Option<&'a str> {
         let of = name.strip_prefix("dot_")?;
         matches!(self.table.get(of), Some(Meaning::Coordinate(_) | Meaning::Further(_))).then_some(of)
     }
@@ -187,6 +193,7 @@ impl Mentions {
     pub const FURTHER_RATES: Self = Mentions(256);
     pub const QUASI: Self = Mentions(512);
     pub const FREE: Self = Mentions(1024);
+    pub const COMBINATIONS: Self = Mentions(16384);
     pub const REACTIONS: Self = Mentions(2048);
     /// Rates of what only a configuration has: its coordinates twice, its speeds once.
     pub const FURTHER_ACCELERATIONS: Self = Mentions(4096);
@@ -217,6 +224,7 @@ impl Mentions {
             (Self::REACTIONS, "a reaction"),
             (Self::INPUTS, "an input"),
             (Self::ACCELERATIONS.and(Self::FURTHER_ACCELERATIONS), "an acceleration"),
+            (Self::COMBINATIONS, "a combination of speeds in `independent`"),
             (Self::FREE, "a speed of `velocities`"),
             (Self::QUASI, "a speed of `configuration`"),
             (Self::FURTHER_RATES, "a rate"),

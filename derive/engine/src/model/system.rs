@@ -140,10 +140,14 @@ pub struct Velocities {
 /// A speed that the model wants to be independent.
 #[derive(Clone, Debug)]
 pub struct IndependentSpeed {
-    /// Its name in the state: the speed's own, or `dot_x`.
-    pub name: String,
-    /// The speed, in v; in the rates q̇ where there is a configuration.
+    /// The speed in the state: a carrier itself, or a symbol of its own for a combination of them.
+    pub symbol: Symbol,
+    /// u over the carriers: v, or with a configuration its rates or quasi-velocities.
     pub expr: Expr,
+    /// The row L of u = L w + l0, one entry a carrier.
+    pub gradient: Vec<Expr>,
+    /// l0.
+    pub offset: Expr,
     /// Its place in the list.
     pub place: Place,
 }
@@ -210,4 +214,6 @@ pub struct Places {
     pub inertia: Span,
     /// `complement`
     pub complement: Span,
+    /// `start`
+    pub start: Span,
 }

@@ -187,6 +187,7 @@ fn parameter_guards(graph: &Graph, equations: &Equations) -> Vec<Guard> {
         kind: GuardKind::Pivot,
         origin: "the equations divide by it".to_owned(),
         rows: Vec::new(),
+        start: None,
     }));
     guards
 }

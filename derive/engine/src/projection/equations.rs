@@ -13,7 +13,7 @@ pub enum GuardKind {
 }
 
 /// A quantity by which the emitted code divides.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Guard {
     /// The quantity.
     pub expr: Expr,
@@ -25,6 +25,8 @@ pub struct Guard {
     pub origin: String,
     /// The names of the constraints that it comes from.
     pub rows: Vec<String>,
+    /// Its value at the start that the model names, closed; `None` where that is not known.
+    pub start: Option<f64>,
 }
 
 /// What a row of C binds.
@@ -128,6 +130,10 @@ pub struct Equations {
     pub charts: Vec<ChartEquations>,
     /// u of every chart, the first included, as functions of v and the state's coordinates.
     pub chart_speeds: Vec<Vec<Expr>>,
+    /// The relative pivot of every chart at the start that the model names; `None` where it is not known.
+    pub relative_pivots: Vec<Option<f64>>,
+    /// Whether some speeds of the state are combinations of the carriers.
+    pub combined: bool,
     /// w, the carriers of the motion: v without a configuration, with one the rates of its coordinates.
     pub carriers: Vec<Symbol>,
     /// v as functions of w and the state's coordinates.

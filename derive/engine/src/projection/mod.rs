@@ -8,11 +8,13 @@
 //! | [`elimination`] | C_d⁻¹ by Gauss-Jordan on the arena, pivots chosen and recorded |
 //! | [`carriers`] | partial velocities of a configuration (4.9), and the rows that still bind |
 //! | [`tangent`] | the basis D and the bias a_u, by pivots |
+//! | [`combined`] | the same for speeds that are combinations of the carriers |
 //! | [`chart`] | a choice of independent speeds, and the motion in terms of them |
 //! | [`back`] | carriers and independent speeds from v |
 //! | [`complement`] | the basis D as the user gives it |
 //! | [`acceleration`] | the rows that bind only the rates of the state's speeds |
 //! | [`given`] | the basis D from v = g(u, x, t) (5.8), (5.9) |
+//! | [`start`] | the start that the model names, closed |
 //! | [`judge`] | the choice of speeds at the start that the model names |
 //! | [`dynamics`] | M_d and h_u* (4.10), (5.6) |
 //! | [`motion`] | the rates u̇ of the state's speeds |
@@ -28,6 +30,7 @@ pub mod acceleration;
 pub mod back;
 pub mod carriers;
 pub mod chart;
+pub mod combined;
 pub mod complement;
 pub mod constraints;
 pub mod dependence;
@@ -44,6 +47,7 @@ pub mod motion;
 pub mod outputs;
 pub mod project;
 pub mod reactions;
+pub mod start;
 pub mod tangent;
 #[cfg(test)]
 mod tests;

@@ -104,7 +104,7 @@ fn disk() -> Disk {
         independent: vec![],
         complement: None,
         outputs: crate::model::Outputs::default(),
-        places: Places { model: here, kinematics: here, inertia: here, complement: here },
+        places: Places { model: here, kinematics: here, inertia: here, complement: here, start: here },
         start: vec![],
         nominal: vec![],
     };

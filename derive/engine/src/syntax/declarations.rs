@@ -275,13 +275,37 @@ pub struct Velocities {
     pub span: Span,
 }
 
-/// `#[independent(v6, dot(phi))]`
+/// `#[independent(v6, dot(phi), s = v1 + 2*v2)]`
 #[derive(Clone, Debug)]
 pub struct Independent {
     /// The independent speeds in order: u.
-    pub entries: Vec<Quantity>,
+    pub entries: Vec<IndependentEntry>,
     /// The statement's own name.
     pub span: Span,
+}
+
+impl Independent {
+    /// The names that the list introduces, with what they stand for.
+    pub fn combinations(&self) -> impl Iterator<Item = (&Name, &Expression)> {
+        self.entries.iter().filter_map(|entry| match entry {
+            IndependentEntry::Combination { name, value } => Some((name, value)),
+            IndependentEntry::Speed(_) => None,
+        })
+    }
+}
+
+/// One independent speed.
+#[derive(Clone, Debug)]
+pub enum IndependentEntry {
+    /// `v6` or `dot(phi)`
+    Speed(Quantity),
+    /// `s = v1 + 2*v2`
+    Combination {
+        /// The name that the combination gets in the state.
+        name: Name,
+        /// The combination.
+        value: Expression,
+    },
 }
 
 /// `#[complement(w1 = [..], ..)]`

@@ -165,8 +165,7 @@ fn read(statement: &Statement, model: &mut Declarations, diagnostics: &mut Diagn
         "configuration" => model.configuration = Some(configuration(&entries, span, diagnostics)),
         "velocities" => model.velocities = Some(velocities(&entries, span, diagnostics)),
         "independent" => {
-            let entries =
-                entries.iter().filter_map(|entry| quantity(&entry.tokens, entry.place(), diagnostics)).collect();
+            let entries = entries.iter().filter_map(|entry| entry.independent(diagnostics)).collect();
             model.independent.push(Independent { entries, span });
         }
         "complement" => {

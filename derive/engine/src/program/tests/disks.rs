@@ -154,6 +154,7 @@ pub fn disk_stage() -> Equations {
             kind: GuardKind::Positive,
             origin: "pivot of M_d".to_owned(),
             rows: vec![],
+            start: None,
         })
         .filter(|guard| g.stage(guard.expr) > crate::symbolic::Stage::Parameter)
         .collect();

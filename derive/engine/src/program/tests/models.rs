@@ -69,7 +69,14 @@ pub fn reduce(given: Given) -> Equations {
     let pivots = pivots.into_iter().map(|p| (p, GuardKind::Positive));
     let (mut state_guards, mut parameter_guards) = (Vec::new(), Vec::new());
     for (expr, kind) in given.guards.into_iter().chain(pivots) {
-        guards.push(Guard { expr, name: g.display(expr), kind, origin: "by hand".to_owned(), rows: vec![] });
+        guards.push(Guard {
+            expr,
+            name: g.display(expr),
+            kind,
+            origin: "by hand".to_owned(),
+            rows: vec![],
+            start: None,
+        });
     }
     for guard in guards {
         match g.stage(guard.expr) {
@@ -118,6 +125,8 @@ pub fn reduce(given: Given) -> Equations {
         multiplier_rows,
         charts: Vec::new(),
         chart_speeds,
+        relative_pivots: vec![None],
+        combined: false,
         carriers: v.clone(),
         carried_velocities: all_v.clone(),
         carried_rates: rates_v.clone(),

@@ -234,6 +234,8 @@ pub(crate) const RULE_QUASI_RATES: &str =
     "a rate is given by parameters, coordinates, `t` and speeds of `configuration` here";
 pub(crate) const RULE_VELOCITIES: &str =
     "`velocities` gives a speed by parameters, coordinates, `t`, the remaining speeds and those in `of(..)`";
+pub(crate) const RULE_COMBINATION: &str =
+    "an independent speed is given by parameters, coordinates, `t`, speeds and rates such as `dot(x)`";
 pub(crate) const RULE_COMPLEMENT: &str = "the entries of D may depend on parameters, coordinates and `t` only";
 pub(crate) const RULE_NUMBER: &str = "this is a value for judging, which is made of numbers and `PI` only";
 
@@ -263,8 +265,8 @@ messages! {
         "`dot` with two arguments is the scalar product of vectors, which is not supported yet";
     acceleration(function, name) =
         "`{function}({name})` is an acceleration, which only `constraint` can bind";
-    rate_of_free(name) =
-        "the rate of `{name}` has no name: it is a speed of `velocities`; take the rates of the speeds that it gives";
+    rate_without_name(name, what) =
+        "the rate of `{name}` has no name: it is {what}; take the rates of the speeds of the system instead";
     rate_of_rate() =
         "the rate of a rate is written `ddot(x)`, with the name of a coordinate";
     second_rate_of_speed(name) =
@@ -362,6 +364,10 @@ messages! {
         "`{name}` is {what}; expected a speed or the rate of a coordinate, such as `v1` or `dot(x)`";
     independent_twice(name) =
         "`{name}` stands in the list twice";
+    combination_not_linear(name, variable, derivative) =
+        "`{name}` must be linear in the speeds, but the coefficient of `{variable}` here is `{derivative}`";
+    combination_without_speed(name) =
+        "`{name}` depends on no speed: all its coefficients vanish";
     independent_and_complement() =
         "`complement` names the independent speeds already; leave out one of the two";
     complement_twice(name) =
