@@ -24,6 +24,13 @@ use support::splitmix::SplitMix;
 #[constraint(curve: z + asin(x/5) - tanh(y/3) - powf(x + 3, 1.7)/20 - atan(x*y)/8 + acos(y/6)/9 == 0)]
 #[constraint(gear: dot(y) == (if x < 0.7 { powi(x, 2) } else { 1.4*x - 0.49 } + sinh(x)/9)*dot(x)/3)]
 #[independent(dot(x))]
+#[define(pace = sqrt(powi(dot(x), 2) + powi(dot(y), 2)))]
+#[output(
+    pace,
+    bend = atan2(dot(y), 2 + abs(x)) - asin(tanh(z)/2),
+    grip = if ddot(x) < 0 { tanh(reaction(gear)) } else { -k*reaction(gear) },
+    share = exp(-abs(reaction(curve))/9)*max(pace, bend) + powf(1 + powi(ddot(z), 2), 0.3),
+)]
 pub struct AllFunctions {
     /// The mass.
     #[nominal(1.5)]
@@ -43,7 +50,15 @@ fn every_function_agrees_with_the_oracle() {
         let model = AllFunctions { m, k }.prepare().expect("the parameters are good");
         let (t, q, u) = random_state(&model, &system, random, [0.2, 1.2]).expect("the curve is reached");
         for claim in [claim(&model, t, &q, &u, &[]), other_claim(&model, t, &q, &u, &[])] {
-            check(&system, &claim).assert(&format!("q = {q:?}, u = {u:?}, m = {m}, k = {k}"));
+            let report = check(&system, &claim);
+            report.assert(&format!("q = {q:?}, u = {u:?}, m = {m}, k = {k}"));
+            // and an output that is off by little is seen
+            for wrong in 0..claim.outputs.len() {
+                let mut other = claim.clone();
+                other.outputs[wrong].1 += 1e-6 * other.outputs[wrong].1.abs().max(1.0);
+                let seen = check(&system, &other).failures;
+                assert!(seen.len() == 1 && seen[0].contains(&claim.outputs[wrong].0), "{seen:?}");
+            }
         }
     }
 }

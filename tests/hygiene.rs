@@ -18,6 +18,7 @@ mod without_prelude {
     #[potential_energy(m*g*y)]
     #[constraint(rod: (powi(x, 2) + powi(y, 2) - powi(l, 2))/2 == 0)]
     #[independent(dot(x))]
+    #[output(pull = -l*reaction(rod), T = ddot(y), x = x*dot(x))]
     pub struct Pendulum {
         pub m: f64,
         pub l: f64,
@@ -136,6 +137,7 @@ mod among_constants {
     #[potential_energy(M*J*Y)]
     #[constraint(ROD: (powi(X, 2) + powi(Y, 2) - powi(L, 2))/2 == 0)]
     #[independent(dot(X))]
+    #[output(J = J*Y, A1 = -reaction(ROD), lambda = ddot(X), dw = F/M)]
     pub struct Pendulum {
         pub M: f64,
         pub L: f64,

@@ -69,13 +69,14 @@ use proc_macro::TokenStream;
 /// | `holonomy(crate = path, simplify = off)` | where the runtime is found; whether cheaper forms are searched |
 ///
 /// Functions: `sin cos tan asin acos atan atan2(y, x) sinh cosh tanh sqrt exp ln abs sign min(a, b) max(a, b) powi(x, n)
-/// powf(x, y) dot(q)`, and in constraints `dot(v) ddot(q)`, with `sign(0)` = 0. `if a < b { .. } else { .. }`, with `<`, `<=`, `>` or `>=`, selects: both
+/// powf(x, y) dot(q)`, and in constraints and outputs `dot(v) ddot(q)`, with `sign(0)` = 0. `if a < b { .. } else { .. }`, with `<`, `<=`, `>` or `>=`, selects: both
 /// branches are evaluated, one is taken, and derivatives are those of the branch that is taken. `t` is time, `PI` is π.
 /// Literals are exact: `0.1` is one tenth, `1/2` one half.
 ///
 /// # Arrays and families
 ///
-/// Fields may be arrays (`m: [f64; 5]`, the length a literal), and `coordinates(a[n])`, `speeds`, `inputs` and
+/// Fields may be arrays (`m: [f64; 5]`, the length a literal; `nominal(1, 2, 3, 2, 1)` gives each entry a value, `nominal(1)`
+/// all of them one), and `coordinates(a[n])`, `speeds`, `inputs` and
 /// `configuration(of(a[n]))` declare families. `a[i + 1]` names an entry; its name in the emitted structs and in `MODEL`
 /// is `a_0`, `a_1`, … In every statement an entry may be repeated: `forces(-m[i]*g for i in 0..n)`,
 /// `constraint(link[i]: x[i] == x[i + 1] for i in 0..n - 1)`, `define(s[i] = .. for i in 0..n)`,
@@ -183,6 +184,51 @@ use proc_macro::TokenStream;
 /// let (t, end) = run.last();
 /// assert!((end.y - road(end.x)).abs() < 1e-9);
 /// assert!((particle.energy(t, end) - particle.energy(0.0, &start)).abs() < 1e-6);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Outputs
+///
+/// `output(power = .., mu)` names quantities of a state that the model gives out: `outputs` of a prepared model computes
+/// them, a trajectory gives them at any time of a run, and `assemble` holds those that depend on coordinates and speeds
+/// alone. In an output may stand the time, parameters, inputs, all coordinates and speeds, those of a `configuration` too,
+/// their rates `dot(q)`, accelerations `dot(v)` and `ddot(q)` of the motion, `reaction(name)`, the multiplier λ of a
+/// constraint in M v̇ = h* + Cᵀ λ, defines, and the outputs above. Outputs are a namespace of their own: one may have the
+/// name of a coordinate, which is then what the name means in expressions. An output that has no finite value somewhere
+/// does not stop a run.
+///
+/// ```
+/// use holonomy::{ConstrainedSystem, State};
+///
+/// /// A bead on a rod that turns at the rate w: which torque turns it?
+/// #[derive(ConstrainedSystem, Clone)]
+/// #[coordinates(x, y)]
+/// #[inertia(diag(m, m))]
+/// #[forces(0, 0)]
+/// #[configuration(of(rho), x = rho*cos(w*t), y = rho*sin(w*t))]
+/// #[constraint(rod: y*cos(w*t) - x*sin(w*t) == 0)]
+/// #[output(
+///     /// About the pivot.
+///     torque = rho*reaction(rod),
+///     power = w*torque,
+///     acceleration = ddot(rho),
+/// )]
+/// struct Bead {
+///     m: f64,
+///     w: f64,
+/// }
+///
+/// # fn main() -> Result<(), holonomy::Error> {
+/// let bead = Bead { m: 2.0, w: 3.0 }.prepare()?;
+/// let start = State::<Bead> { rho: 0.5, dot_rho: 0.25 };
+/// // 2 m ρ ρ̇ w, by Coriolis; and ρ̈ = w² ρ.
+/// let outputs = bead.outputs(0.0, &start, &[]);
+/// assert!((outputs.torque - 1.5).abs() < 1e-14 && (outputs.power - 4.5).abs() < 1e-14);
+/// assert!((outputs.acceleration - 4.5).abs() < 1e-14);
+/// let run = bead.simulate(start).until(1.0)?;
+/// let end = run.at(1.0)?;
+/// assert!((run.outputs_at(1.0, &[])?.torque - 12.0*end.rho*end.dot_rho).abs() < 1e-9);
 /// # Ok(())
 /// # }
 /// ```

@@ -11,6 +11,10 @@ use holonomy::ConstrainedSystem;
 #[constraint(rod: (powi(x, 2) + powi(y, 2) - powi(l, 2))/2 == 0)]
 #[independent(dot(x))]
 #[independent(dot(y))]
+#[output(
+    /// The pull of the rod on the mass.
+    tension = -l*reaction(rod),
+)]
 pub struct CartesianPendulum {
     /// Mass.
     #[unit(kg)]

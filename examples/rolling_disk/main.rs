@@ -59,6 +59,8 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     checks.below("energy, three rates", run.energy[2], 1e-10);
     checks.below("height of the contact point / m", run.drift[0], 1e-12);
     checks.below("slip under the computed friction / (m/s)", run.drift[1], 1e-8);
+    println!("  the coefficient of friction must be at least {:.4}", run.friction);
+    checks.below("its difference from the third formulation", run.friction_error, 1e-6);
     println!("\n      t      lean/°    reactions of the floor on the disk: x, y, z / N");
     for (t, p, force) in run.samples.iter().step_by(100) {
         println!("  {t:5.1} {:10.4}    {:10.5} {:10.5} {:10.5}", p.theta.to_degrees(), force[0], force[1], force[2]);

@@ -33,6 +33,14 @@ use holonomy::ConstrainedSystem;
 #[constraint(contact: v3 - r*v4 == 0)]
 #[constraint(height: z == 0)]
 #[independent(v6, v5, v4)]
+#[define(
+    normal = reaction(no_slip_across)*cos(theta) + reaction(contact)*sin(theta),
+    across = reaction(no_slip_across)*sin(theta) - reaction(contact)*cos(theta),
+)]
+#[output(
+    /// The least coefficient of friction for which the disk does not slip.
+    friction = sqrt(powi(reaction(no_slip_along), 2) + powi(across, 2))/normal,
+)]
 pub struct RollingDisk {
     /// Mass.
     #[unit(kg)]

@@ -126,6 +126,10 @@ pub struct Comparison {
     pub drift: [f64; 2],
     /// Largest difference of the contact force between formulations, in newtons.
     pub force: f64,
+    /// The coefficient of friction that the motion needs.
+    pub friction: f64,
+    /// Largest difference of that from the contact force of another formulation.
+    pub friction_error: f64,
 }
 
 /// Runs one motion through all three for `end` seconds.
@@ -149,8 +153,15 @@ pub fn compare(disks: &Disks, start: &Posture, end: f64) -> Result<Comparison, E
         .inputs(friction)
         .until(end)?;
 
-    let mut comparison =
-        Comparison { samples: Vec::new(), disagreement: 0.0, energy: [0.0; 3], drift: [0.0; 2], force: 0.0 };
+    let mut comparison = Comparison {
+        samples: Vec::new(),
+        disagreement: 0.0,
+        energy: [0.0; 3],
+        drift: [0.0; 2],
+        force: 0.0,
+        friction: 0.0,
+        friction_error: 0.0,
+    };
     let first = [
         disks.quasi.energy(0.0, &start.quasi()),
         disks.floor.energy(0.0, &start.floor(disks.r)),
@@ -177,6 +188,10 @@ pub fn compare(disks: &Disks, start: &Posture, end: f64) -> Result<Comparison, E
         for (p, q) in force.iter().zip(other) {
             comparison.force = comparison.force.max((p - q).abs());
         }
+        let needed = disks.quasi.outputs(t, a, &[]).friction;
+        let expected = lambda.rolling_x.hypot(lambda.rolling_y) / lambda.contact;
+        comparison.friction = comparison.friction.max(needed);
+        comparison.friction_error = comparison.friction_error.max((needed - expected).abs());
         let input = [lambda.rolling_x, lambda.rolling_y].into();
         let normal = disks.floor.multipliers(t, b, &input).contact;
         comparison.force = comparison.force.max((normal - lambda.contact).abs());

@@ -4,6 +4,7 @@
 //! minimal equations of motion `M_d u̇ = h_u*`, the constraints, the multipliers and the energies. This crate runs them:
 //!
 //! * [`ConstrainedSystem::prepare`] checks the parameters and gives a [`Prepared`] model, on which all methods live;
+//! * [`Prepared::outputs`] gives the quantities that the model declares besides its motion;
 //! * [`Prepared::assemble`] closes the constraints from a guess, with whatever else is asked for;
 //! * [`Prepared::project_positions`] and [`Prepared::project_velocities`] take x and v back onto the constraints;
 //! * [`Prepared::simulate`] integrates, watches the guards, and stays on the constraint manifold;

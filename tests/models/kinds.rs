@@ -11,6 +11,7 @@ use holonomy::ConstrainedSystem;
 #[forces(0, -m*g)]
 #[potential_energy(m*g*y)]
 #[constraint(speed: (powi(dot(x), 2) + powi(dot(y), 2) - powi(c, 2))/2 == 0)]
+#[output(thrust = c*reaction(speed), climb = dot(y)/c, turn = dot(x)*ddot(y) - dot(y)*ddot(x))]
 pub struct ConstantSpeed {
     pub m: f64,
     pub g: f64,
@@ -64,6 +65,7 @@ pub struct Pushed {
 #[forces(0, -m*g)]
 #[potential_energy(m*g*y)]
 #[define(speed = sqrt(powi(dot(x), 2) + powi(dot(y), 2)))]
+#[output(speed, steer = speed*reaction(path))]
 #[constraint(path: dot(x)*ddot(y) - dot(y)*ddot(x) - kappa*powi(speed, 3) == 0)]
 pub struct CurvedPath {
     pub m: f64,
@@ -80,6 +82,7 @@ pub struct CurvedPath {
 #[constraint(rod: (powi(x, 2) + powi(y, 2) - powi(l, 2))/2 == 0)]
 #[constraint(twin: (powi(x, 2) + powi(y, 2) - powi(l, 2))/2 == 0, redundant)]
 #[constraint(double: powi(x, 2) + powi(y, 2) == powi(l, 2), redundant)]
+#[output(tension = -l*(reaction(rod) + reaction(twin) + 2*reaction(double)))]
 #[independent(dot(x))]
 pub struct TripleRod {
     pub m: f64,
@@ -95,6 +98,7 @@ pub struct TripleRod {
 #[constraint(guide: x == sin(w*t))]
 #[constraint(rate: dot(y) == w*x)]
 #[constraint(lift: ddot(z) == w*dot(y))]
+#[output(effort = reaction(guide)*dot(x) + reaction(rate)*dot(y) + reaction(lift)*dot(z), jolt = ddot(z)/2 + t)]
 pub struct Prescribed {
     pub m: f64,
     pub g: f64,

@@ -12,6 +12,7 @@ use holonomy::ConstrainedSystem;
 #[potential_energy(m*g*y)]
 #[constraint(rod: (powi(x, 2) + powi(y, 2) - powi(l, 2))/2 == 0)]
 #[complement(swing = [-y, x])]
+#[output(tension = -l*reaction(rod), height = y + l)]
 pub struct Pendulum {
     #[nominal(1.5)]
     pub m: f64,
@@ -30,6 +31,8 @@ pub struct Pendulum {
 #[constraint(rod: (powi(x, 2) + powi(y, 2) - powi(l, 2))/2 == 0)]
 #[independent(dot(x))]
 #[start(x = 0.1, y = -0.79)]
+#[define(speed = sqrt(powi(dot(x), 2) + powi(dot(y), 2)))]
+#[output(speed, tension = -l*reaction(rod), steepness = dot(y)/dot(x))]
 pub struct HangingPendulum {
     #[nominal(1.5)]
     pub m: f64,
@@ -47,6 +50,7 @@ pub struct HangingPendulum {
 #[potential_energy(m*g*y)]
 #[configuration(of(alpha), x = l*sin(alpha), y = -l*cos(alpha))]
 #[constraint(rod: (powi(x, 2) + powi(y, 2) - powi(l, 2))/2 == 0)]
+#[output(tension = -l*reaction(rod), momentum = m*powi(l, 2)*dot(alpha), torque = m*powi(l, 2)*ddot(alpha), y = m*ddot(y))]
 pub struct PendulumByAngle {
     #[nominal(1.5)]
     pub m: f64,
@@ -63,6 +67,12 @@ pub struct PendulumByAngle {
 #[forces(0, -m*g)]
 #[constraint(rod: y*cos(w*t) - x*sin(w*t) == 0)]
 #[complement(along = [cos(w*t), sin(w*t)])]
+#[output(
+    /// From the pivot to the bead.
+    distance = x*cos(w*t) + y*sin(w*t),
+    /// What turns the rod.
+    torque = distance*reaction(rod),
+)]
 pub struct BeadOnRod {
     #[nominal(0.7)]
     pub m: f64,
@@ -115,6 +125,7 @@ pub struct ConicalPendulum {
 #[potential_energy(m1*g*y1 + m2*g*y2)]
 #[constraint(string: y1 + y2 == c)]
 #[independent(dot(y1))]
+#[output(tension = reaction(string), gain = ddot(y1)/g, bound = if tension < m1*g { tension } else { m1*g })]
 pub struct Atwood {
     #[nominal(2.0)]
     pub m1: f64,

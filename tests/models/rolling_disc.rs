@@ -30,6 +30,12 @@ use holonomy::ConstrainedSystem;
 #[constraint(slip_y: vy - r*(w2*sin(yaw) - w1*cos(yaw)*cos(lean)) == 0)]
 #[constraint(slip_z: vz + r*w1*sin(lean) == 0)]
 #[independent(w1, w2, w3)]
+#[output(
+    /// The least coefficient of friction for which the disc does not slip.
+    friction = sqrt(powi(reaction(slip_x), 2) + powi(reaction(slip_y), 2))/abs(reaction(slip_z)),
+    turning = w3*cos(lean) + w2*sin(lean),
+    curving = dot(w3),
+)]
 pub struct RollingDisc {
     #[nominal(2.0)]
     pub m: f64,

@@ -12,6 +12,7 @@ use holonomy::ConstrainedSystem;
 #[potential_energy(m*g*y)]
 #[constraint(speed: (powi(dot(x), 2) + powi(dot(y), 2) - powi(c, 2))/2 == 0)]
 #[velocities(of(u), dot(x) = c*cos(u), dot(y) = c*sin(u))]
+#[output(heading = u, thrust = c*reaction(speed), turn = ddot(x)*sin(u))]
 pub struct ConstantSpeedByDirection {
     #[nominal(1.5)]
     pub m: f64,
@@ -36,6 +37,7 @@ pub struct ConstantSpeedByDirection {
     h = powi(l*sin(a), 2)*dot(b),
 )]
 #[constraint(rod: (powi(x, 2) + powi(y, 2) + powi(z, 2) - powi(l, 2))/2 == 0)]
+#[output(tension = -l*reaction(rod), momentum = m*h, turning = dot(b), sinking = ddot(a))]
 pub struct PendulumByMomentum {
     #[nominal(1.5)]
     pub m: f64,

@@ -137,6 +137,31 @@ impl Builder {
         if potential {
             text += &format!("#[potential_energy({})]\n", self.writer.bounded(&x));
         }
-        text + &self.constraints()
+        text += &self.constraints();
+        let outputs = self.writer.random.once_in(2);
+        if self.class("outputs", outputs) {
+            text += &self.outputs(&text, own, &inputs);
+        }
+        text
+    }
+
+    /// Outputs of every level, the reactions of the constraints that stand in the text among them.
+    fn outputs(&mut self, text: &str, own: bool, inputs: &[String]) -> String {
+        let (x, names, v) = (self.x.clone(), self.names.clone(), self.v.clone());
+        let rate = |i: usize| if own { format!("dot(v{})", i + 1) } else { format!("ddot({})", x[i]) };
+        let mut lines = vec![format!("place = {}", self.writer.bounded(&names))];
+        lines.push(format!("power = {}", self.writer.force(&names, &v, inputs)));
+        let (i, j) = (self.writer.random.below(self.n), self.writer.random.below(self.n));
+        lines.push(format!("push = {}*{} + {}*ddot({})", self.writer.bounded(&names), rate(i), v[j], x[j]));
+        // the derivative of a position row may be carried by other rows, so that it has no reaction of its own
+        let merged = matches!(self.kind, 4 | 5);
+        let constraints = text.lines().filter_map(|line| line.strip_prefix("#[constraint("));
+        let constraints: Vec<&str> = constraints.filter_map(|line| Some(line.split_once(':')?.0)).collect();
+        if !constraints.is_empty() && !merged {
+            let name = self.writer.random.one_of(&constraints).to_string();
+            lines.push(format!("pull = {}*reaction({name}) - push", self.writer.positive(&names)));
+            lines.push(format!("share = pull/({} + powi(reaction({name}), 2))", self.writer.decimal(1.0, 2.0)));
+        }
+        format!("#[output({})]\n", lines.join(", "))
     }
 }

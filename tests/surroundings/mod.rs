@@ -37,6 +37,7 @@ macro_rules! pendulum {
         #[potential_energy($m*$g*y)]
         #[constraint(rod: (powi(x, 2) + powi(y, 2) - powi($l, 2))/2 == 0)]
         #[independent(dot(x))]
+        #[output(pull = -$l*reaction(rod), rise = ddot(y), $m = 2*$m)]
         $vis struct $name {
             $vis $m: f64,
             $vis $l: f64,

@@ -30,35 +30,29 @@ pub(super) fn independent(
         .collect()
 }
 
-/// Lowers what `s = ..` stands for in each of the lists, rates and coordinates as written.
-pub(super) fn lower(configured: bool, vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnostics) {
-    let context = if configured { Context::COMBINATION_OF_RATES } else { Context::COMBINATION };
-    let declarations = vocabulary.declarations;
-    let written = declarations.independent.iter().flat_map(|list| list.combinations());
-    vocabulary.combined = written.map(|(_, value)| vocabulary.lower(value, context, diagnostics)).collect();
-}
-
-/// The combinations of all lists over the carriers; `None` where something was reported.
+/// What `s = ..` stands for in each of the lists, over the carriers; `None` where something was reported.
 fn combinations(
     rates: &Rates,
     configuration: Option<&Configuration>,
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Option<IndependentSpeed>> {
+    let context = if configuration.is_some() { Context::COMBINATION_OF_RATES } else { Context::COMBINATION };
     // Speeds and rates become those of the carriers, and x becomes g(q, t).
     let mut adapt = configuration.map_or(Vec::new(), |given| coordinate_map(given, vocabulary));
     adapt.extend(vocabulary.speeds.iter().copied().zip(rates.speeds.iter().copied()));
     if vocabulary.rates != vocabulary.speeds {
         adapt.extend(vocabulary.rates.iter().copied().zip(rates.rates.iter().copied()));
     }
-    adapt.extend(vocabulary.further_rates.iter().copied().zip(rates.further.iter().copied()));
+    adapt.extend(vocabulary.further_rates.iter().flatten().copied().zip(rates.further.iter().copied()));
     let declarations = vocabulary.declarations;
-    let written = declarations.independent.iter().flat_map(|list| list.combinations()).enumerate();
     let mut found = Vec::new();
-    for (at, (name, value)) in written {
-        found.push(vocabulary.combined.get(at).copied().flatten().and_then(|lowered| {
+    for (at, (name, value)) in declarations.independent.iter().flat_map(|list| list.combinations()).enumerate() {
+        let lowered = vocabulary.lower(value, context, diagnostics);
+        found.push(lowered.and_then(|lowered| {
             let expr = vocabulary.graph.substitute(&[lowered.expr], &adapt)[0];
-            let message = match reading(&mut vocabulary.graph, expr, &rates.carriers) {
+            let read = reading(&mut vocabulary.graph, expr, &rates.carriers);
+            let message = match read {
                 Ok((gradient, _)) if gradient.iter().all(|entry| vocabulary.graph.vanishes(*entry)) => {
                     messages::combination_without_speed(&name.ident)
                 }
@@ -131,8 +125,6 @@ fn list(
             (_, None) => Err(vocabulary.names.unknown(&written)),
         };
         let message = match found {
-            // A name that two lists give was reported.
-            Ok(speed) if quantity.is_none() && list.iter().any(|other| other.symbol == speed.symbol) => continue,
             Ok(speed) if list.iter().any(|other| other.expr == speed.expr) => {
                 let text = quantity.map_or(written, ToString::to_string);
                 messages::independent_twice(text)

@@ -76,11 +76,13 @@ pub(super) fn build(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnosti
             diagnostics.report(&name.ident, messages::configuration_without(&name.ident));
         }
     }
-    let rate_names: Vec<String> = coordinates.iter().map(|q| format!("dot_{}", graph.name(*q))).collect();
-    let rates: Vec<Symbol> = rate_names.iter().map(|name| graph.symbol(name, Kind::Speed)).collect();
+    let free = coordinates.len() - vocabulary.further.len();
+    let rate_names: Vec<String> = coordinates[..free].iter().map(|q| format!("dot_{}", graph.name(*q))).collect();
+    let mut rates: Vec<Symbol> = rate_names.iter().map(|name| graph.symbol(name, Kind::Speed)).collect();
     let values = given.iter().zip(&vocabulary.coordinates);
     let map: Vec<Expr> = values.map(|(value, x)| value.unwrap_or(graph.var(*x))).collect();
-    vocabulary.further_rates = rates[rates.len() - vocabulary.further.len()..].to_vec();
+    rates.extend((0..vocabulary.further.len()).map(|i| vocabulary.further_rate("dot", i)));
+    let graph = &mut vocabulary.graph;
     let n = rates.len();
     if written.speeds.is_empty() {
         if let Some((left, _)) = written.kinematics.first() {
@@ -150,6 +152,7 @@ pub(super) fn in_generalised(
     let mut adapt: Vec<(Symbol, Expr)> = vocabulary.coordinates.iter().copied().zip(map.iter().copied()).collect();
     adapt.extend(vocabulary.rates.iter().copied().zip(moved));
     let further = &rates[rates.len() - vocabulary.further_rates.len()..];
-    adapt.extend(vocabulary.further_rates.iter().copied().zip(further.iter().copied()));
+    let known = vocabulary.further_rates.iter().zip(further);
+    adapt.extend(known.filter_map(|(symbol, value)| Some(((*symbol)?, *value))));
     adapt
 }

@@ -12,6 +12,20 @@ pub(super) struct Context {
 
 const PLACE: Mentions = Mentions::PARAMETERS.and(Mentions::TIME).and(Mentions::COORDINATES);
 
+/// All that is known of a state.
+const STATE: Mentions = PLACE
+    .and(Mentions::FURTHER)
+    .and(Mentions::SPEEDS)
+    .and(Mentions::RATES)
+    .and(Mentions::FURTHER_RATES)
+    .and(Mentions::QUASI)
+    .and(Mentions::FREE)
+    .and(Mentions::COMBINATIONS)
+    .and(Mentions::INPUTS)
+    .and(Mentions::ACCELERATIONS)
+    .and(Mentions::FURTHER_ACCELERATIONS)
+    .and(Mentions::REACTIONS);
+
 impl Context {
     pub const SPEEDS: Context = Context { allowed: PLACE.and(Mentions::RATES), rule: messages::RULE_SPEEDS };
     pub const RATES: Context = Context { allowed: PLACE.and(Mentions::SPEEDS), rule: messages::RULE_RATES };
@@ -62,33 +76,8 @@ impl Context {
     pub const COMPLEMENT: Context = Context { allowed: PLACE, rule: messages::RULE_COMPLEMENT };
     pub const COMPLEMENT_OF_RATES: Context =
         Context { allowed: PLACE.and(Mentions::FURTHER), rule: messages::RULE_COMPLEMENT };
-    /// All that is known of a state.
-    pub const OUTPUT: Context = Context {
-        allowed: PLACE
-            .and(Mentions::FURTHER)
-            .and(Mentions::SPEEDS)
-            .and(Mentions::RATES)
-            .and(Mentions::FURTHER_RATES)
-            .and(Mentions::QUASI)
-            .and(Mentions::FREE)
-            .and(Mentions::INPUTS)
-            .and(Mentions::ACCELERATIONS)
-            .and(Mentions::FURTHER_ACCELERATIONS)
-            .and(Mentions::REACTIONS)
-            .and(Mentions::OUTPUTS)
-            .and(Mentions::COMBINATIONS),
-        rule: "",
-    };
+    pub const OUTPUT: Context = Context { allowed: STATE.and(Mentions::OUTPUTS), rule: "" };
     pub const NUMBER: Context = Context { allowed: Mentions::NONE, rule: messages::RULE_NUMBER };
     /// Where a define is used decides, not where it stands.
-    pub const DEFINE: Context = Context {
-        allowed: PLACE
-            .and(Mentions::FURTHER)
-            .and(Mentions::SPEEDS)
-            .and(Mentions::RATES)
-            .and(Mentions::ACCELERATIONS)
-            .and(Mentions::REACTIONS)
-            .and(Mentions::INPUTS),
-        rule: messages::RULE_DEFINE,
-    };
+    pub const DEFINE: Context = Context { allowed: STATE, rule: "" };
 }

@@ -35,20 +35,18 @@ pub(super) struct Vocabulary<'a> {
     pub accelerations: Vec<Symbol>,
     /// The second rates of the initial coordinates; the rates of the speeds themselves where these have no names.
     pub second_rates: Vec<Symbol>,
-    /// The rates of `further`; empty before the configuration is built.
-    pub further_rates: Vec<Symbol>,
+    /// The rates of `further`; those that nothing has mentioned come with the configuration.
+    pub further_rates: Vec<Option<Symbol>>,
     /// The quasi-velocities of the configuration.
     pub quasi: Vec<Symbol>,
     /// The independent speeds of `velocities(of(..))`.
     pub free: Vec<Symbol>,
     /// The combinations of speeds of `independent(s = ..)`, through all lists.
     pub combinations: Vec<Symbol>,
-    /// What they stand for, as written; empty before they are lowered, `None` where that failed.
-    pub combined: Vec<Option<Lowered>>,
-    /// The second rates of `further`; empty before the outputs are built.
-    pub further_accelerations: Vec<Symbol>,
-    /// The rates of the quasi-velocities; empty before the outputs are built.
-    pub quasi_rates: Vec<Symbol>,
+    /// The second rates of `further`, where something has mentioned them.
+    pub further_accelerations: Vec<Option<Symbol>>,
+    /// The rates of the quasi-velocities, where something has mentioned them.
+    pub quasi_rates: Vec<Option<Symbol>>,
     pub inputs: Vec<Symbol>,
     /// The reactions that are mentioned: the place of their constraint in the list, and where they are first.
     pub reactions: Vec<(usize, Symbol, Span)>,
@@ -107,18 +105,17 @@ impl<'a> Vocabulary<'a> {
             used: vec![false; fields.len()],
             fields,
             coordinates,
+            further_rates: vec![None; further.len()],
+            further_accelerations: vec![None; further.len()],
+            quasi_rates: vec![None; quasi.len()],
             further,
             speeds,
             rates,
             accelerations,
             second_rates,
-            further_rates: Vec::new(),
             quasi,
             free,
             combinations,
-            combined: Vec::new(),
-            further_accelerations: Vec::new(),
-            quasi_rates: Vec::new(),
             inputs,
             reactions: Vec::new(),
             outputs: Vec::new(),
@@ -265,10 +262,6 @@ impl<'a> Vocabulary<'a> {
             Meaning::Speed(i) => (self.speeds[i], Mentions::SPEEDS),
             Meaning::Quasi(i) => (self.quasi[i], Mentions::QUASI),
             Meaning::Free(i) => (self.free[i], Mentions::FREE),
-            // In an output it is what it stands for.
-            Meaning::Combination(i) if context.allowed.intersects(Mentions::COMBINATIONS) => {
-                return self.combined.get(i).copied().flatten();
-            }
             Meaning::Combination(i) => (self.combinations[i], Mentions::COMBINATIONS),
             Meaning::Input(i) => (self.inputs[i], Mentions::INPUTS),
             Meaning::Time => (self.time, Mentions::TIME),

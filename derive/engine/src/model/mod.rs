@@ -99,9 +99,6 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
         .and_then(|given| vocabulary.lower(given, Context::POTENTIAL, diagnostics).map(|lowered| lowered.expr));
     let written = rows::lower(vocabulary, diagnostics);
     let configuration = configuration::build(vocabulary, diagnostics);
-    if declarations.configuration.is_none() || configuration.is_some() {
-        choice::lower(configuration.is_some(), vocabulary, diagnostics);
-    }
     outputs::lower(vocabulary, diagnostics);
     let failed = declarations.configuration.is_some() && configuration.is_none();
     let complement = if failed { None } else { choice::complement(configuration.as_ref(), vocabulary, diagnostics) };

@@ -96,32 +96,20 @@ impl Vocabulary<'_> {
                         };
                         return self.rate(function, name, found, span, context, diagnostics);
                     }
-                    Some(Meaning::Further(i))
-                        if function == "dot"
-                            && context.allowed.intersects(Mentions::FURTHER_RATES)
-                            && i < self.further_rates.len() =>
-                    {
-                        let found = (self.further_rates[i], Mentions::FURTHER_RATES);
-                        return self.rate(function, name, found, span, context, diagnostics);
-                    }
-                    Some(Meaning::Further(i))
-                        if function == "ddot"
-                            && context.allowed.intersects(Mentions::FURTHER_ACCELERATIONS)
-                            && i < self.further_accelerations.len() =>
-                    {
-                        let found = (self.further_accelerations[i], Mentions::FURTHER_ACCELERATIONS);
+                    Some(Meaning::Further(i)) if context.allowed.intersects(Mentions::of_further(function)) => {
+                        let found = (self.further_rate(function, i), Mentions::of_further(function));
                         return self.rate(function, name, found, span, context, diagnostics);
                     }
                     Some(Meaning::Quasi(i))
-                        if function == "dot"
-                            && context.allowed.intersects(Mentions::FURTHER_ACCELERATIONS)
-                            && i < self.quasi_rates.len() =>
+                        if function == "dot" && context.allowed.intersects(Mentions::FURTHER_ACCELERATIONS) =>
                     {
-                        let found = (self.quasi_rates[i], Mentions::FURTHER_ACCELERATIONS);
+                        let found = (self.quasi_rate(i), Mentions::FURTHER_ACCELERATIONS);
                         return self.rate(function, name, found, span, context, diagnostics);
                     }
-                    Some(Meaning::Free(_)) if context.allowed.intersects(Mentions::FREE) => {
-                        messages::rate_of_free(name)
+                    Some(meaning @ (Meaning::Free(_) | Meaning::Combination(_)))
+                        if context.allowed.intersects(Mentions::FREE) =>
+                    {
+                        messages::rate_without_name(name, meaning.describe())
                     }
                     Some(Meaning::Further(_)) => {
                         let what = Mentions::FURTHER.describe();
@@ -156,5 +144,21 @@ impl Vocabulary<'_> {
             return None;
         }
         Some(Lowered { expr: self.graph.var(symbol), mentions })
+    }
+
+    /// The symbol of a rate of one of the configuration's further coordinates.
+    pub(super) fn further_rate(&mut self, function: &str, i: usize) -> Symbol {
+        let coordinate = self.graph.name(self.further[i]);
+        let (slot, name) = match function {
+            "dot" => (&mut self.further_rates[i], format!("dot_{coordinate}")),
+            _ => (&mut self.further_accelerations[i], format!("ddot({coordinate})")),
+        };
+        *slot.get_or_insert_with(|| self.graph.symbol(&name, Kind::Speed))
+    }
+
+    /// The symbol of the rate of one of the configuration's quasi-velocities.
+    pub(super) fn quasi_rate(&mut self, i: usize) -> Symbol {
+        let name = format!("dot({})", self.graph.name(self.quasi[i]));
+        *self.quasi_rates[i].get_or_insert_with(|| self.graph.symbol(&name, Kind::Speed))
     }
 }

@@ -61,6 +61,8 @@ pub(super) struct Names {
     arrays: BTreeMap<String, i64>,
     /// The names of outputs, which stand in no table: they are a namespace of their own.
     outputs: Vec<String>,
+    /// Those of constraints, which are another one.
+    constraints: Vec<String>,
 }
 
 impl Names {
@@ -68,7 +70,8 @@ impl Names {
     pub fn of(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Self {
         let table = BTreeMap::from([("t".to_owned(), Meaning::Time), ("PI".to_owned(), Meaning::Pi)]);
         let outputs = declarations.outputs.iter().map(|output| output.name.ident.to_string()).collect();
-        let mut names = Names { table, arrays: declarations.arrays.clone(), outputs };
+        let constraints = declarations.constraints.iter().map(|constraint| constraint.name.to_string()).collect();
+        let mut names = Names { table, arrays: declarations.arrays.clone(), outputs, constraints };
         let mut enter = |ident: &Ident, meaning| names.enter(ident, meaning, diagnostics);
         for (i, field) in declarations.fields.iter().enumerate() {
             enter(&field.ident, Meaning::Field(i));
@@ -135,14 +138,22 @@ impl Names {
 
     /// The error for a name that is not there.
     pub fn unknown(&self, name: &str) -> String {
+        if self.outputs.iter().any(|output| output == name) {
+            return messages::output_out_of_place(name);
+        }
+        self.missing(name)
+    }
+
+    /// The same for a name that is no output's either.
+    pub fn missing(&self, name: &str) -> String {
         if FUNCTIONS.iter().any(|(function, _)| *function == name) {
             return messages::function_as_name(name);
         }
         if let Some((_, what)) = RESERVED.iter().find(|(reserved, _)| *reserved == name) {
             return messages::reserved_not_supported(name, what);
         }
-        if self.outputs.iter().any(|output| output == name) {
-            return messages::output_out_of_place(name);
+        if self.constraints.iter().any(|constraint| constraint == name) {
+            return messages::constraint_as_name(name);
         }
         if let Some(length) = self.arrays.get(name) {
             return messages::array_without_index(name, length);
@@ -188,6 +199,11 @@ impl Mentions {
     pub const FURTHER_ACCELERATIONS: Self = Mentions(4096);
     /// Other outputs; what these mention counts besides.
     pub const OUTPUTS: Self = Mentions(8192);
+
+    /// What `dot` and `ddot` of a configuration's further coordinate are.
+    pub fn of_further(function: &str) -> Mentions {
+        if function == "dot" { Self::FURTHER_RATES } else { Self::FURTHER_ACCELERATIONS }
+    }
 
     pub const fn and(self, other: Mentions) -> Mentions {
         Mentions(self.0 | other.0)

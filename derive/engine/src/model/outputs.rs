@@ -7,40 +7,28 @@ use super::lower::Vocabulary;
 use super::names::{Mentions, reserved};
 use super::rows::second_rates;
 use super::system::{Output, Outputs, Reaction};
-use crate::symbolic::{Expr, Kind, Symbol};
-use crate::syntax::{Diagnostics, messages};
+use crate::symbolic::{Expr, Symbol};
+use crate::syntax::{Diagnostics, Term, messages};
 
 /// Lowers every output, rates still as written.
 pub(super) fn lower(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnostics) {
     let declarations = vocabulary.declarations;
-    if declarations.outputs.is_empty() {
-        return;
-    }
-    if vocabulary.further_rates.len() != vocabulary.further.len() {
-        // The configuration makes no sense, which is reported: not its rates, then.
-        vocabulary.further_rates = rates(vocabulary, vocabulary.further.clone(), "dot");
-    }
-    vocabulary.further_accelerations = rates(vocabulary, vocabulary.further.clone(), "ddot");
-    vocabulary.quasi_rates = rates(vocabulary, vocabulary.quasi.clone(), "dot");
     for output in &declarations.outputs {
         let name = output.name.ident.to_string();
         if vocabulary.outputs.iter().any(|(other, _)| *other == name) {
             diagnostics.report(&output.name.ident, messages::output_twice(&name));
         }
         reserved(&output.name.ident, diagnostics);
-        let lowered = vocabulary.lower(&output.value, Context::OUTPUT, diagnostics);
+        // `output(mu)` gives out something else of that name.
+        let lowered = match output.value.terms() {
+            [(Term::Name(other), span)] if *other == name && vocabulary.names.get(&name).is_none() => {
+                diagnostics.report(*span, vocabulary.names.missing(&name));
+                None
+            }
+            _ => vocabulary.lower(&output.value, Context::OUTPUT, diagnostics),
+        };
         vocabulary.outputs.push((name, lowered));
     }
-}
-
-/// Symbols that no other statement needs.
-fn rates(vocabulary: &mut Vocabulary<'_>, of: Vec<Symbol>, function: &str) -> Vec<Symbol> {
-    let graph = &mut vocabulary.graph;
-    let rate = |symbol| {
-        let name = format!("{function}({})", graph.name(symbol));
-        graph.symbol(&name, Kind::Speed)
-    };
-    of.into_iter().map(rate).collect()
 }
 
 /// The outputs over x, v, v̇, the symbols of a configuration, inputs and t; `rates` replaces `dot(x)` by A v + a0, and
@@ -60,6 +48,17 @@ pub(super) fn finish(rates: &[(Symbol, Expr)], vocabulary: &mut Vocabulary<'_>) 
     let (named, written): (Vec<(String, Span)>, Vec<Expr>) =
         sound.map(|(name, declared, expr)| ((name, declared.ident.span()), expr)).unzip();
     let exprs = vocabulary.graph.substitute(&written, &all);
+    if !vocabulary.outputs.is_empty() {
+        // Their rates as a whole: those of the carriers are among them.
+        for i in 0..vocabulary.further.len() {
+            vocabulary.further_rate("dot", i);
+            vocabulary.further_rate("ddot", i);
+        }
+        for i in 0..vocabulary.quasi.len() {
+            vocabulary.quasi_rate(i);
+        }
+    }
+    let all_of = |symbols: &[Option<Symbol>]| -> Vec<Symbol> { symbols.iter().flatten().copied().collect() };
     let reaction = |(at, symbol, span): &(usize, Symbol, Span)| Reaction {
         name: vocabulary.declarations.constraints[*at].name.to_string(),
         symbol: *symbol,
@@ -68,9 +67,9 @@ pub(super) fn finish(rates: &[(Symbol, Expr)], vocabulary: &mut Vocabulary<'_>) 
     Outputs {
         entries: named.into_iter().zip(exprs).map(|((name, span), expr)| Output { name, span, expr }).collect(),
         accelerations: vocabulary.accelerations.clone(),
-        further_rates: vocabulary.further_rates.clone(),
-        further_accelerations: vocabulary.further_accelerations.clone(),
-        quasi_rates: vocabulary.quasi_rates.clone(),
+        further_rates: all_of(&vocabulary.further_rates),
+        further_accelerations: all_of(&vocabulary.further_accelerations),
+        quasi_rates: all_of(&vocabulary.quasi_rates),
         reactions: vocabulary.reactions.iter().map(reaction).collect(),
     }
 }

@@ -9,6 +9,7 @@ use proc_macro2::Span;
 use super::carriers::Carriers;
 use super::equations::{Equations, Level};
 use super::messages;
+use super::tangent::Tangent;
 use crate::model::{self, InitialSystem};
 use crate::symbolic::{Expr, Graph, Kind, Node, Stage, Symbol};
 use crate::syntax::Diagnostics;
@@ -61,11 +62,11 @@ enum Meaning {
     Value(Expr),
 }
 
-/// Sorts the symbols that outputs mention. `carrier_values` are the carriers as functions of the state.
+/// Sorts the symbols that outputs mention.
 pub fn outputs(
     system: &mut InitialSystem,
     carriers: &Carriers,
-    carrier_values: &[Expr],
+    tangent: &Tangent,
     coordinate_rates: &[Expr],
     multiplier_names: &[String],
     carried_by: &dyn Fn(&str) -> Vec<String>,
@@ -82,6 +83,8 @@ pub fn outputs(
         written: entries.iter().map(|output| output.expr).collect(),
         ..Outputs::default()
     };
+    let carrier_values = system.graph.vars(&carriers.speeds);
+    let carrier_values = system.graph.substitute(&carrier_values, &tangent.map);
     let numbered = |symbols: &[Symbol], meaning: fn(usize) -> Meaning| -> Vec<(Symbol, Meaning)> {
         symbols.iter().enumerate().map(|(i, symbol)| (*symbol, meaning(i))).collect()
     };
@@ -100,6 +103,18 @@ pub fn outputs(
         outputs.meanings.push((carriers.speeds[i], Meaning::Value(carrier_values[i])));
         outputs.meanings.push((*symbol, Meaning::Rate(carrier_values[i])));
     }
+    // Independent speeds that are combinations of the carriers; those of the state mean themselves.
+    let combined: Vec<(Symbol, Expr)> = system
+        .independent
+        .iter()
+        .flat_map(|list| &list.speeds)
+        .filter(|speed| !carriers.speeds.contains(&speed.symbol))
+        .map(|speed| (speed.symbol, speed.expr))
+        .collect();
+    for (symbol, expr) in combined.iter().filter(|(symbol, _)| !tangent.speeds.contains(symbol)) {
+        let value = system.graph.substitute(&[*expr], &tangent.map)[0];
+        outputs.meanings.push((*symbol, Meaning::Value(value)));
+    }
     for reaction in reactions {
         match multiplier_names.iter().position(|name| *name == reaction.name) {
             Some(at) => {
@@ -111,7 +126,14 @@ pub fn outputs(
             }
         }
     }
-    outputs.carried(system, carriers, &accelerations, (&further_rates, &further_accelerations), &quasi_rates);
+    outputs.carried(
+        system,
+        carriers,
+        &accelerations,
+        (&further_rates, &further_accelerations),
+        &quasi_rates,
+        &combined,
+    );
     outputs
 }
 
@@ -124,11 +146,12 @@ impl Outputs {
         accelerations: &[Symbol],
         (further_rates, further_accelerations): (&[Symbol], &[Symbol]),
         quasi_rates: &[Symbol],
+        combined: &[(Symbol, Expr)],
     ) {
         let graph = &mut system.graph;
         let Some(partial) = &carriers.partial_velocities else {
             self.carrier_rates = accelerations.to_vec();
-            self.carried = self.written.clone();
+            self.carried = graph.substitute(&self.written, combined);
             return;
         };
         self.carrier_rates = match quasi_rates {
@@ -149,6 +172,7 @@ impl Outputs {
         motion.extend(carriers.speeds.iter().copied().zip(rates));
         let second = graph.along(&coordinate_rates, &motion);
         let mut map = carriers.map.clone();
+        map.extend_from_slice(combined);
         map.extend(accelerations.iter().copied().zip(velocity_rates));
         map.extend(further_rates.iter().copied().zip(coordinate_rates));
         map.extend(further_accelerations.iter().copied().zip(second));

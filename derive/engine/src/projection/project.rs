@@ -85,10 +85,8 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     let names = name_multipliers(&mut system, &rows, &sorted, &multipliers);
     let x = system.graph.vars(&system.coordinates);
     let initial_coordinates = to_state(&mut system.graph, &carriers, &tangent, &x);
-    let values = system.graph.vars(&carriers.speeds);
-    let values = system.graph.substitute(&values, &tangent.map);
     let of = |name: &str| names.carried_by(name);
-    let outputs = outputs(&mut system, &carriers, &values, &coordinate_rates, &names.names, &of, &mut errors);
+    let outputs = outputs(&mut system, &carriers, &tangent, &coordinate_rates, &names.names, &of, &mut errors);
     errors.result(())?;
     let w = carriers_of_velocities(&mut system, simplifier, &carriers);
     let mut chart_speeds = Vec::new();

@@ -58,7 +58,7 @@ pub(crate) fn read(input: &DeriveInput, diagnostics: &mut Diagnostics) -> Read {
             continue;
         };
         let mut unit = None;
-        let mut nominal = None;
+        let mut nominal: Option<(Ident, Vec<Expression>)> = None;
         for attribute in &field.attrs {
             let Some(statement) = statement(attribute, FIELD_STATEMENTS, diagnostics) else {
                 continue;
@@ -68,13 +68,10 @@ pub(crate) fn read(input: &DeriveInput, diagnostics: &mut Diagnostics) -> Read {
                 diagnostics.report_local(&statement.name, messages::statement_twice(&statement.name));
                 continue;
             }
-            let Some(value) = single(&statement, diagnostics) else {
-                continue;
-            };
             if statement.name == "unit" {
-                unit = self::unit(&value, diagnostics);
+                unit = single(&statement, diagnostics).and_then(|value| self::unit(&value, diagnostics));
             } else {
-                nominal = Some(value);
+                nominal = values(&statement, diagnostics).map(|values| (statement.name, values));
             }
         }
         let one = Field {
@@ -84,18 +81,20 @@ pub(crate) fn read(input: &DeriveInput, diagnostics: &mut Diagnostics) -> Read {
             ident: ident.clone(),
             ty: field.ty.clone(),
             unit,
-            nominal,
+            nominal: None,
         };
         match array(&field.ty).filter(|(element, _)| is_scalar(element, &parameters)) {
             Some((element, Some(length))) => {
                 read.arrays.insert(ident.to_string(), Some(length));
-                let entries = (0..length).map(|index| {
+                let nominal = each(nominal, length, &ident, diagnostics);
+                let entries = (0..length).zip(nominal).map(|(index, nominal)| {
                     let place = Literal::i64_unsuffixed(index);
                     Field {
                         scalar: true,
                         member: quote!(#ident[#place]),
                         ident: Ident::new(&element_name(&ident, index), ident.span()),
                         ty: element.clone(),
+                        nominal,
                         ..one.clone()
                     }
                 });
@@ -103,9 +102,9 @@ pub(crate) fn read(input: &DeriveInput, diagnostics: &mut Diagnostics) -> Read {
             }
             Some((_, None)) => {
                 read.arrays.insert(ident.to_string(), None);
-                read.fields.push(one);
+                read.fields.push(Field { nominal: alone(nominal, diagnostics), ..one });
             }
-            None => read.fields.push(one),
+            None => read.fields.push(Field { nominal: alone(nominal, diagnostics), ..one }),
         }
     }
     read
@@ -128,6 +127,44 @@ fn array(ty: &Type) -> Option<(&Type, Option<i64>)> {
             _ => return None,
         }
     }
+}
+
+/// The expressions in a statement's parentheses, one at least.
+fn values(statement: &Statement, diagnostics: &mut Diagnostics) -> Option<Vec<Expression>> {
+    let entries = entries::split(statement.tokens.clone(), statement.end);
+    if entries.is_empty() {
+        diagnostics.report(&statement.name, messages::statement_empty(&statement.name));
+        return None;
+    }
+    Some(entries.iter().map(|entry| entry.expression(diagnostics)).collect())
+}
+
+/// The value of a field that is no array.
+fn alone(nominal: Option<(Ident, Vec<Expression>)>, diagnostics: &mut Diagnostics) -> Option<Expression> {
+    let (_, values) = nominal?;
+    if let Some(second) = values.get(1) {
+        diagnostics.report(second.place(), messages::one_expression());
+    }
+    values.into_iter().next()
+}
+
+/// The values of an array's entries: one for all, or a list.
+fn each(
+    nominal: Option<(Ident, Vec<Expression>)>,
+    length: i64,
+    array: &Ident,
+    diagnostics: &mut Diagnostics,
+) -> Vec<Option<Expression>> {
+    let length = usize::try_from(length).unwrap_or(0);
+    let Some((statement, values)) = nominal else { return vec![None; length] };
+    if values.len() != 1 && values.len() != length {
+        let (found, entries) =
+            (messages::counted(values.len(), "value", "values"), messages::counted(length, "entry", "entries"));
+        diagnostics.report(&statement, messages::nominal_of_array(found, array, entries));
+    }
+    let last = values.last().cloned();
+    let all = if values.len() == 1 { vec![last; length] } else { values.into_iter().map(Some).collect() };
+    all.into_iter().chain(std::iter::repeat(None)).take(length).collect()
 }
 
 /// The one expression in a statement's parentheses.

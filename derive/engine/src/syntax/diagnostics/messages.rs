@@ -203,9 +203,11 @@ messages! {
     output_twice(name) =
         "there is an output `{name}` already";
     output_later(name) =
-        "the output `{name}` is not known yet: an output may mention those above it";
+        "the output `{name}` is not known here: an output may mention those above it";
     output_out_of_place(name) =
         "`{name}` is an output, which only other outputs may mention; name it by `define` to use it elsewhere";
+    constraint_as_name(name) =
+        "`{name}` is a constraint; its multiplier is written `reaction({name})`, in outputs";
     reaction_of_no_constraint(name, constraints) =
         "there is no constraint `{name}`: {constraints}";
     reaction_of_expression() =
@@ -232,8 +234,6 @@ pub(crate) const RULE_QUASI_RATES: &str =
     "a rate is given by parameters, coordinates, `t` and speeds of `configuration` here";
 pub(crate) const RULE_VELOCITIES: &str =
     "`velocities` gives a speed by parameters, coordinates, `t`, the remaining speeds and those in `of(..)`";
-pub(crate) const RULE_DEFINE: &str =
-    "a define is made of parameters, coordinates, speeds and rates of the model, accelerations, inputs and `t`";
 pub(crate) const RULE_COMBINATION: &str =
     "an independent speed is given by parameters, coordinates, `t`, speeds and rates such as `dot(x)`";
 pub(crate) const RULE_COMPLEMENT: &str = "the entries of D may depend on parameters, coordinates and `t` only";
@@ -265,8 +265,8 @@ messages! {
         "`dot` with two arguments is the scalar product of vectors, which is not supported yet";
     acceleration(function, name) =
         "`{function}({name})` is an acceleration, which only `constraint` can bind";
-    rate_of_free(name) =
-        "the rate of `{name}` has no name: it is a speed of `velocities`; take the rates of the speeds that it gives";
+    rate_without_name(name, what) =
+        "the rate of `{name}` has no name: it is {what}; take the rates of the speeds of the system instead";
     rate_of_rate() =
         "the rate of a rate is written `ddot(x)`, with the name of a coordinate";
     second_rate_of_speed(name) =
@@ -379,6 +379,8 @@ messages! {
         "`{name}` is {what}; `start` gives values of coordinates and speeds";
     start_twice(name) =
         "`{name}` has a value already";
+    nominal_of_array(found, array, entries) =
+        "`nominal` gives {found}, but `{array}` has {entries}; give one value for all of them, or one for each";
     nominal_of_no_scalar(name) =
         "the field `{name}` is no parameter; `nominal` needs `f64` or a type parameter";
 }

@@ -32,6 +32,7 @@ fn every_statement_is_read() {
         #[complement(w1 = [1, 0, -r], w2 = [0, 1, 0],)]
         #[inputs(F)]
         #[define(mu = r*r)]
+        #[output(/** what drives */ power = F*v1, mu)]
         #[start(phi = PI/6)]
         #[holonomy(crate = my::holonomy, simplify = off)]
         pub(crate) struct Wheel<'a, S: Copy, const K: usize> where f64: From<S> {
@@ -74,6 +75,10 @@ fn every_statement_is_read() {
     assert_eq!(complement[0].entries.len(), 3);
     assert_eq!(names(&model.inputs), ["F"]);
     assert_eq!(model.defines[0].name, "mu");
+    let outputs: Vec<Name> = model.outputs.iter().map(|output| output.name.clone()).collect();
+    assert_eq!(names(&outputs), ["power", "mu"]);
+    assert_eq!(outputs[0].docs, [" what drives "]);
+    assert_eq!(model.outputs[1].value.terms().len(), 1);
     assert_eq!(model.start[0].name, "phi");
     assert!(!model.options.simplify);
     assert_eq!(model.options.krate.to_token_stream().to_string(), "my :: holonomy");
@@ -84,6 +89,14 @@ fn every_statement_is_read() {
     assert_eq!(model.fields[1].unit.as_ref().unwrap().factors, [unit("m", 1), unit("s", -2)]);
     assert_eq!(model.fields[3].unit.as_ref().unwrap().factors, [unit("m", 1), unit("s", -2)]);
     assert_eq!(model.fields[1].nominal.as_ref().unwrap().terms().len(), 1);
+}
+
+#[test]
+fn an_array_has_one_nominal_value_or_one_for_each_entry() {
+    let model = declarations("struct Model { #[nominal(1, 2)] m: [f64; 2], #[nominal(3)] l: [f64; 2], g: [f64; 1] }");
+    let values = model.fields.iter().map(|field| field.nominal.as_ref().map(|value| value.terms()[0].0.clone()));
+    let number = |number: i64| Some(Term::Number(Rational::integer(number)));
+    assert_eq!(values.collect::<Vec<_>>(), [number(1), number(2), number(3), number(3), None]);
 }
 
 #[test]

@@ -1,0 +1,10 @@
+#[coordinates(x, y)]
+#[inertia(diag(m, m))]
+#[forces(0, -m*g)]
+#[constraint(rod: (powi(x, 2) + powi(y, 2) - powi(l, 2))/2 == 0)]
+#[output(l + y, 3 = y, height = )]
+pub struct Form {
+    pub m: f64,
+    pub g: f64,
+    pub l: f64,
+}
