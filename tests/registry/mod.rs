@@ -10,6 +10,8 @@ pub use models::*;
 
 #[path = "../models/bodies.rs"]
 pub mod bodies;
+#[path = "../models/combined.rs"]
+pub mod combined;
 #[path = "../models/linkages.rs"]
 pub mod linkages;
 #[path = "../models/spherical.rs"]
@@ -124,6 +126,11 @@ macro_rules! every_model {
                 RollingDisk(m, r, j, g)
                 FloorDisk(m, r, j, g)
                 StagedDisk(m, r, j, g);
+            "tests/models/combined.rs" combined:
+                DiscByRates(m, r, g, d, a)
+                SphericalByTurning(m, l, g)
+                PacedBlade(m, i, g, tilt, drift, pace)
+                SwungParticle(m, g, l, k, w);
         }
     };
 }

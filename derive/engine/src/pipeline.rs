@@ -1,8 +1,8 @@
 //! The steps in order, from tokens to tokens.
 
+use crate::forms::Forms;
 use crate::projection::{Equations, Simplifier, TANGENT_PIVOT, guards, messages, outputs, project};
-use crate::simplify::{self, limits::PROJECTION_WORK};
-use crate::symbolic::{Expr, Graph};
+use crate::symbolic::Expr;
 use crate::syntax::{Declarations, Diagnostics};
 use crate::target::{known, target};
 use crate::{emit, model, orders, program, syntax};
@@ -110,7 +110,7 @@ fn equations(
         }
     };
     after(Step::Model, system.graph.len());
-    let mut forms = Forms { left: PROJECTION_WORK };
+    let mut forms = Forms::new();
     let mut equations = project(system, &mut forms)?;
     after(Step::Projection, equations.graph.len());
     if declarations.options.simplify {
@@ -151,20 +151,5 @@ fn cheapen(equations: &mut Equations, forms: &mut Forms) {
         if !group.is_empty() {
             *group = forms.all(graph, group);
         }
-    }
-}
-
-/// The simplifier as the projection sees it.
-struct Forms {
-    /// What entries may still cost to normalise: in a large model most of them have no cheaper form.
-    left: usize,
-}
-
-impl Simplifier for Forms {
-    fn one(&mut self, graph: &mut Graph, e: Expr) -> Expr {
-        simplify::normalise_within(graph, e, &mut self.left)
-    }
-    fn all(&mut self, graph: &mut Graph, roots: &[Expr]) -> Vec<Expr> {
-        simplify::simplify(graph, roots, &simplify::Options::default())
     }
 }

@@ -125,6 +125,8 @@ fn list(
             (_, None) => Err(vocabulary.names.unknown(&written)),
         };
         let message = match found {
+            // A name that two lists give was reported.
+            Ok(speed) if quantity.is_none() && list.iter().any(|other| other.symbol == speed.symbol) => continue,
             Ok(speed) if list.iter().any(|other| other.expr == speed.expr) => {
                 let text = quantity.map_or(written, ToString::to_string);
                 messages::independent_twice(text)

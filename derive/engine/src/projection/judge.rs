@@ -77,21 +77,21 @@ pub fn relative_pivot(
     start: &Start,
     carried: &[CarriedRow],
     carriers: &Carriers,
-    tangent: &Tangent,
+    (chart, tangent): (usize, &Tangent),
 ) -> Option<f64> {
     tangent.elimination.as_ref()?;
     if system.start.is_empty() {
         return None;
     }
-    let mut graph = system.graph.clone();
-    let readings = match &tangent.readings {
-        Some(readings) => readings.clone(),
-        None => graph.vars(&tangent.speeds),
+    let row = |gradient: &[Expr]| numbers(start, &system.graph, gradient);
+    let c: Vec<Vec<f64>> = carried.iter().map(|carried| row(&carried.gradient)).collect::<Option<_>>()?;
+    let l: Vec<Vec<f64>> = match (&tangent.readings, system.independent.get(chart)) {
+        (Some(_), Some(choice)) => choice.speeds.iter().map(|speed| row(&speed.gradient)).collect::<Option<_>>()?,
+        _ => {
+            let unit = |speed| carriers.speeds.iter().map(|w| f64::from(u8::from(w == speed))).collect();
+            tangent.speeds.iter().map(unit).collect()
+        }
     };
-    let readings = graph.jacobian(&readings, &carriers.speeds);
-    let c: Vec<Vec<f64>> = carried.iter().map(|row| numbers(start, &graph, &row.gradient)).collect::<Option<_>>()?;
-    let l: Vec<Vec<f64>> =
-        (0..readings.rows()).map(|i| numbers(start, &graph, readings.row(i))).collect::<Option<_>>()?;
     let (beside, alone) = (remainders(&[c.clone(), l.clone()].concat()), remainders(&l));
     let relative = beside[c.len()..].iter().product::<f64>() / alone.iter().product::<f64>();
     relative.is_finite().then(|| rounded(relative.min(1.0)))

@@ -86,8 +86,8 @@ pub(crate) fn singular_at_start(pivot: &str, dependent: &str, by_user: bool, bet
 pub(crate) fn start_not_closed(open: &[(&str, f64)]) -> String {
     let rows: Vec<String> = open.iter().map(|(name, rest)| format!("`{name}` by {rest:.2e}")).collect();
     format!(
-        "the start does not close: Newton's method ends where left and right side of {} differ; give values nearer to a \
-         configuration of the mechanism, or other nominal parameters",
+        "the start does not close: Newton's method ends where the two sides of constraints differ, {}; give values nearer to \
+         a configuration of the mechanism, or other nominal parameters",
         rows.join(", ")
     )
 }

@@ -65,6 +65,9 @@ pub trait Simplifier {
     fn one(&mut self, graph: &mut Graph, e: Expr) -> Expr;
     /// Cheaper forms of several expressions that are computed together.
     fn all(&mut self, graph: &mut Graph, roots: &[Expr]) -> Vec<Expr>;
+    /// These have the form that they will keep: what is made of them need not be simplified through them where they are
+    /// large.
+    fn settle(&mut self, _: &mut Graph, _: &[Expr]) {}
 }
 
 /// Leaves everything as it is.

@@ -105,7 +105,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     let positions: Vec<&DifferentiatedRow> = rows.iter().filter(|row| row.position.is_some()).collect();
     let charts = std::iter::once(&tangent).chain(&further.tangents);
     let relative_pivots: Vec<Option<f64>> =
-        charts.map(|tangent| relative_pivot(&system, &start, &carried, &carriers, tangent)).collect();
+        charts.enumerate().map(|chart| relative_pivot(&system, &start, &carried, &carriers, chart)).collect();
     let guarded = std::iter::once(&mut guards.state).chain(further.equations.iter_mut().map(|chart| &mut chart.guards));
     for guard in guarded.flatten() {
         guard.start = figure(&start, &system.graph, guard.expr);

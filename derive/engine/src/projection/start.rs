@@ -60,6 +60,9 @@ impl Start {
         rows: &[DifferentiatedRow],
         carriers: &Carriers,
     ) -> Result<(), Vec<(usize, f64)>> {
+        if system.start.is_empty() {
+            return Ok(());
+        }
         // Nothing of this enters the equations: all new expressions stay in a copy.
         let mut graph = system.graph.clone();
         let (places, residuals): (Vec<usize>, Vec<Expr>) =
@@ -73,8 +76,9 @@ impl Start {
         let columns: Vec<usize> =
             moved.iter().filter_map(|q| carriers.coordinates.iter().position(|other| other == q)).collect();
         let mut f = self.all(&graph, &residuals);
+        let scales: Vec<f64> = f.iter().map(|(_, size)| *size).collect();
         for _ in 0..STEPS {
-            if merit(&f) == 0.0 || residuals.is_empty() {
+            if merit(&f, &scales) == 0.0 {
                 break;
             }
             let entries = self.all(&graph, slopes.entries());
@@ -82,7 +86,7 @@ impl Start {
             let matrix: Vec<Vec<f64>> =
                 (0..residuals.len()).map(|i| (0..columns.len()).map(|j| entry(i, j)).collect()).collect();
             let step = least_change(&matrix, &f);
-            let Some(next) = self.descend(&graph, &residuals, &moved, &step, merit(&f)) else { break };
+            let Some(next) = self.descend(&graph, &residuals, &moved, &step, (&f, &scales)) else { break };
             f = next;
         }
         let open = places.iter().zip(&f).filter(|(_, (value, size))| !(value.abs() <= CLOSED * size));
@@ -97,7 +101,7 @@ impl Start {
         residuals: &[Expr],
         moved: &[Symbol],
         step: &[f64],
-        before: f64,
+        (before, scales): (&[(f64, f64)], &[f64]),
     ) -> Option<Vec<(f64, f64)>> {
         let kept = self.values.clone();
         let mut part = 1.0;
@@ -106,7 +110,7 @@ impl Start {
                 self.values.insert(*symbol, kept[symbol] + part * change);
             }
             let f = self.all(graph, residuals);
-            if merit(&f) < before {
+            if merit(&f, scales) < merit(before, scales) {
                 return Some(f);
             }
             part /= 2.0;
@@ -116,9 +120,10 @@ impl Start {
     }
 }
 
-/// The square sum of f, each in the size of its terms.
-fn merit(f: &[(f64, f64)]) -> f64 {
-    f.iter().map(|(value, size)| if *value == 0.0 { 0.0 } else { (value / size).powi(2) }).sum()
+/// The square sum of f, each on its scale.
+fn merit(f: &[(f64, f64)], scales: &[f64]) -> f64 {
+    let part = |((value, _), scale): (&(f64, f64), &f64)| if *value == 0.0 { 0.0 } else { (value / scale).powi(2) };
+    f.iter().zip(scales).map(part).sum()
 }
 
 /// The step of least norm with J dq = -f, over the rows of J that are independent.

@@ -142,6 +142,7 @@ pub fn tangent(
         let value = graph.neg(value);
         dependent[*pivot] = simplifier.one(graph, value);
     }
+    simplifier.settle(graph, &dependent);
     let names: Vec<String> = carried.iter().map(|row| rows[kept[row.row]].name.clone()).collect();
     let note = note(graph, carriers, &elimination, &names, &speeds, by_user);
     let pivots = elimination.values.clone();
