@@ -1,6 +1,6 @@
 //! What emitted code claims at a state.
 
-use crate::oracle::{Claim, Multiplier};
+use crate::oracle::{ChartClaim, Claim, Multiplier};
 use crate::support::running::{dense, entries};
 use holonomy::{ConstrainedSystem, Dual, Prepared, Scalar, Vector};
 
@@ -58,6 +58,34 @@ pub fn claim<M: ConstrainedSystem>(model: &Prepared<M>, t: f64, q: &[f64], u: &[
         forces: entries(&model.forces(t, &x, &v, &i)),
         kinetic_energy: model.kinetic_energy(t, &x, &v),
         potential_energy: model.potential_energy(t, &x),
+        charts: (1..M::MODEL.charts.len()).map(|chart| chart_claim(model, chart, t, q, &v, &i)).collect(),
+    }
+}
+
+/// What a chart beyond the first says at the state (q, v).
+fn chart_claim<M: ConstrainedSystem>(
+    model: &Prepared<M>,
+    chart: usize,
+    t: f64,
+    q: &[f64],
+    v: &M::Velocities<f64>,
+    i: &M::Inputs<f64>,
+) -> ChartClaim {
+    let coordinates = M::State::<f64>::from_fn(|j| q.get(j).copied().unwrap_or(0.0));
+    let own = entries(&model.chart_speeds(chart, t, &coordinates, v));
+    let y: Vec<f64> = q.iter().chain(&own).copied().collect();
+    let (rate, guards) = model.chart_derivative(chart, t, &M::State::<f64>::from_fn(|j| y[j]), i);
+    let rate = entries(&rate);
+    let dual = model.system().clone().prepare_as::<Dual<f64>>().expect("the parameters are good");
+    let moving = M::State::<Dual<f64>>::from_fn(|j| Dual::new(y[j], rate[j]));
+    let along = entries(&dual.chart_velocities(chart, Dual::variable(t), &moving));
+    ChartClaim {
+        names: M::MODEL.charts[chart].speeds.iter().map(ToString::to_string).collect(),
+        velocities: along.iter().map(|v| v.value).collect(),
+        velocity_rates: along.iter().map(|v| v.derivative).collect(),
+        coordinate_rates: rate[..q.len()].to_vec(),
+        guards: entries(&guards),
+        speeds: own,
     }
 }
 

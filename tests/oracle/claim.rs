@@ -13,6 +13,23 @@ pub struct Multiplier {
     pub row: Option<usize>,
 }
 
+/// The motion in a chart beyond the first: other independent speeds at the same state.
+#[derive(Clone, Debug)]
+pub struct ChartClaim {
+    /// The names of its speeds.
+    pub names: Vec<String>,
+    /// Their values, from v.
+    pub speeds: Vec<f64>,
+    /// v of them.
+    pub velocities: Vec<f64>,
+    /// The rates of the state's coordinates.
+    pub coordinate_rates: Vec<f64>,
+    /// v̇ as the derivative of `velocities` along the motion of the chart.
+    pub velocity_rates: Vec<f64>,
+    /// What the chart divides by at this state.
+    pub guards: Vec<f64>,
+}
+
 /// Everything a derivation says about one state.
 #[derive(Clone, Debug)]
 pub struct Claim {
@@ -70,6 +87,8 @@ pub struct Claim {
     pub kinetic_energy: f64,
     /// V.
     pub potential_energy: Option<f64>,
+    /// The charts beyond the first.
+    pub charts: Vec<ChartClaim>,
 }
 
 impl Claim {

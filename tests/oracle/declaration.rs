@@ -1,6 +1,7 @@
 //! A model as it is declared: names and expressions, nothing computed.
 
-use std::collections::BTreeMap;
+use super::families::Indices;
+use std::collections::{BTreeMap, BTreeSet};
 use syn::Expr;
 
 /// The level at which a constraint binds.
@@ -69,12 +70,16 @@ pub struct Declaration {
     pub constraints: Vec<Constraint>,
     /// x = g(q, t).
     pub configuration: Option<Configuration>,
-    /// The speeds asked for as independent.
-    pub independent: Vec<Expr>,
+    /// The speeds asked for as independent: those of the state, then those of each further chart.
+    pub independent: Vec<Vec<Expr>>,
     /// Whether v = g(u, x, t) is given (5.8): then the state's speeds satisfy the nonlinear rows as well.
     pub gives_velocities: bool,
     /// Rows of D, each with the name of its speed.
     pub complement: Vec<(String, Vec<Expr>)>,
+    /// Sizes of families.
+    pub sizes: Indices,
+    /// Functions of the user's.
+    pub functions: BTreeSet<String>,
     /// Named intermediates.
     pub definitions: BTreeMap<String, Expr>,
     /// Start values.

@@ -11,6 +11,7 @@
 //! What a derivation claims (a [`Claim`]) is then held against that solution, see [`check`].
 #![allow(dead_code, unused_imports, reason = "every test file uses its own part of the oracle")]
 
+mod charts;
 mod check;
 mod claim;
 mod classes;
@@ -18,6 +19,8 @@ mod condition;
 mod consistency;
 mod declaration;
 mod evaluate;
+mod families;
+mod given;
 mod kkt;
 mod lagrange;
 mod linear;
@@ -25,16 +28,20 @@ mod number;
 mod principles;
 mod reader;
 mod report;
+mod rows;
 mod statements;
+mod switches;
 mod system;
 
 pub use check::check;
-pub use claim::{Claim, Multiplier};
+pub use claim::{ChartClaim, Claim, Multiplier};
 pub use classes::{CLASSES, classes};
 pub use consistency::{closed, onto_nonlinear_rows, onto_velocity_rows};
 pub use declaration::{Configuration, Constraint, Declaration, Level};
+pub use given::derivative;
 pub use kkt::{Motion, conditioned_rank};
 pub use number::{Dual, Number, Scaled};
 pub use reader::read_models;
 pub use report::Report;
-pub use system::{Dynamics, Rows, System};
+pub use rows::Rows;
+pub use system::{Dynamics, System};
