@@ -5,9 +5,9 @@ mod support;
 
 use nalgebra::DVector;
 use oracle::{
-    Declaration, Dual, Level, Number, Rows, Scaled, System, closed, derivative, onto_velocity_rows, read_models,
+    Chosen, Declaration, Dual, Level, Number, Rows, Scaled, System, closed, derivative, onto_velocity_rows, read_models,
 };
-use quote::quote;
+use quote::ToTokens;
 use serde_json::Value;
 use support::golden::{assert_close, assert_close_at, list, numbers, parse, picked};
 use support::splitmix::SplitMix;
@@ -282,7 +282,8 @@ fn families_are_what_they_stand_for() {
     let models = FAMILIES.map(|source| read_models(source).remove(0));
     let said = models.each_ref().map(|model| {
         let rows: Vec<_> = model.constraints.iter().map(|row| (&row.name, row.level, row.redundant)).collect();
-        let independent: Vec<String> = model.independent.iter().flatten().map(|e| quote!(#e).to_string()).collect();
+        let listed = |chosen: &Chosen| (chosen.name.clone(), chosen.value.to_token_stream().to_string());
+        let independent: Vec<_> = model.charts.iter().flatten().map(listed).collect();
         format!("{:?} {rows:?} {:?} {:?} {independent:?}", model.parameters, model.start, model.inputs)
     });
     assert_eq!(said[0], said[1]);

@@ -54,15 +54,18 @@ use proc_macro::TokenStream;
 /// | `constraint(name: left == right, redundant)` | the same, where it may depend on other rows: if it does and says nothing else, it stays in C, and the reactions of all rows are those of least norm |
 /// | `configuration(z = 0, x = ..)` | x = g(q, t) (4.2): the named coordinates as functions of the others; `of(alpha)` introduces further q |
 /// | `independent(v6, dot(phi))` | the independent speeds u, in this order; else the cheapest pivots choose; given several times, the first names the state's speeds and each further one is a chart that is regular elsewhere |
+/// | `independent(s = v1 + 2*v2, ..)` | the same with combinations of speeds and rates, linear in them, u = L v + l0, under new names: factors may depend on coordinates, parameters and `t`; another list may name `s` alone |
 /// | `configuration(.., speeds(u), dot(alpha) = ..)` or `(.., speeds(u), u = ..)` | quasi-velocities u of the configuration, q̇ = Ã u + ã0 (4.3) or its inverse, as in `kinematics` |
 /// | `velocities(of(u), v1 = .., v2 = ..)` | v = g(u, x, t) (5.8): the named speeds (with a configuration its rates or speeds) as functions of the others and of the further ones in `of(..)`; every row must hold by it, which is decided |
 /// | `complement(u1 = [..], ..)` | D (3.1) by rows, each with the name of its speed; D Cᵀ ≡ 0 is decided |
 /// | `potential_energy(V)` | V(x, t), for `energy`; its forces are added only beside `kinetic_energy`, else they stand in `forces` |
 /// | `define(mu = ..)` | names for intermediate quantities |
+/// | `output(power = .., mu)` | quantities that the model gives out at run time, in a namespace of their own: what is known of a state may stand in them, accelerations `dot(v)`, `reaction(name)` and outputs above included; `mu` alone gives a define out under its name |
 /// | `inputs(tau)` | inputs, given at every call |
 /// | `size(n = 20)` | names for integers, used by families |
 /// | `function(road(s), derivatives = [droad, ddroad])` | a function from f64 to f64 in scope, by its path, with its derivatives |
-/// | `start(theta = 0.3)`, `nominal(9.81)` and `unit(kg)` on fields | figures and units that judge and document; they never enter the equations |
+/// | `start(theta = 0.3)`, `nominal(9.81)` on fields | figures that judge: the position constraints are closed from the start, then pivots that vanish there and rows that depend on each other there are errors; `MODEL` tells the relative pivot of each chart. They never enter the equations |
+/// | `unit(kg)` on fields | a unit, which documents |
 /// | `holonomy(crate = path, simplify = off)` | where the runtime is found; whether cheaper forms are searched |
 ///
 /// Functions: `sin cos tan asin acos atan atan2(y, x) sinh cosh tanh sqrt exp ln abs sign min(a, b) max(a, b) powi(x, n)
@@ -104,6 +107,42 @@ use proc_macro::TokenStream;
 /// let run = chain.simulate(start).until(1.0)?;
 /// let (t, end) = run.last();
 /// assert!((chain.energy(t, end) - chain.energy(0.0, &start)).abs() < 1e-6);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Speeds of your own choice
+///
+/// Independent speeds need not be speeds of the model. Speeds along and about the axes of a body often give shorter equations
+/// and no pivot that vanishes, where rates along fixed axes have one:
+///
+/// ```
+/// use holonomy::{ConstrainedSystem, State};
+///
+/// /// A sled on a blade, by its speed along the blade and its turning.
+/// #[derive(ConstrainedSystem, Clone)]
+/// #[coordinates(x, y, phi)]
+/// #[inertia(diag(m, m, i))]
+/// #[forces(0, 0, 0)]
+/// #[constraint(blade: dot(y)*cos(phi) - dot(x)*sin(phi) == 0)]
+/// #[independent(
+///     /// along the blade
+///     u = dot(x)*cos(phi) + dot(y)*sin(phi),
+///     o = dot(phi),
+/// )]
+/// struct Sled {
+///     m: f64,
+///     i: f64,
+/// }
+///
+/// # fn main() -> Result<(), holonomy::Error> {
+/// assert!(Sled::MODEL.guards.is_empty());
+/// let sled = Sled { m: 3.0, i: 0.4 }.prepare()?;
+/// let start = State::<Sled> { u: 2.0, o: 0.5, ..Default::default() };
+/// let run = sled.simulate(start).until(6.0)?;
+/// let (_, end) = run.last();
+/// // A circle of radius u/o.
+/// assert!((end.x - 4.0 * end.phi.sin()).abs() < 1e-8 && (end.u - 2.0).abs() < 1e-12);
 /// # Ok(())
 /// # }
 /// ```
@@ -151,8 +190,8 @@ use proc_macro::TokenStream;
 /// # What it emits
 ///
 /// An implementation of `holonomy::ConstrainedSystem` and the structs that it names: `PendulumState`,
-/// `PendulumVelocities`, `PendulumMultipliers`, `PendulumParameters`, `PendulumValues`, and `PendulumInputs` where there
-/// are inputs. A model that makes no sense does not compile, and the errors stand at the tokens at fault, all at once.
+/// `PendulumVelocities`, `PendulumMultipliers`, `PendulumParameters`, `PendulumValues`, and `PendulumInputs` and
+/// `PendulumOutputs` where there are inputs and outputs. A model that makes no sense does not compile, and the errors stand at the tokens at fault, all at once.
 #[proc_macro_derive(
     ConstrainedSystem,
     attributes(
@@ -170,13 +209,13 @@ use proc_macro::TokenStream;
         complement,
         inputs,
         define,
+        output,
         start,
         size,
         function,
         holonomy,
         unit,
         nominal,
-        output,
         frame,
         point,
         particle,

@@ -96,13 +96,41 @@ impl<M: ConstrainedSystem> Prepared<M> {
 }
 
 impl<M: ConstrainedSystem> Assembly<'_, M> {
-    /// Keeps a coordinate or a velocity at its value in the guess: an entry of the state, or one of x or v that depends on it.
+    /// Keeps a coordinate, a velocity or an output at its value in the guess: an entry of the state, one of x or v that depends
+    /// on it, or an output that depends on these alone. Where names coincide, this is the order in which they count.
+    ///
+    /// ```
+    /// # #[cfg(feature = "derive")] fn main() -> Result<(), holonomy::Error> {
+    /// use holonomy::{ConstrainedSystem, State};
+    ///
+    /// /// Two points on a line; the middle between them is a define, which is given out.
+    /// #[derive(ConstrainedSystem, Clone)]
+    /// #[coordinates(a, b)]
+    /// #[inertia(diag(m, m))]
+    /// #[forces(0, 0)]
+    /// #[constraint(distance: b - a == l)]
+    /// #[define(middle = (a + b)/2)]
+    /// #[output(middle, momentum = m*(dot(a) + dot(b)))]
+    /// struct Points {
+    ///     m: f64,
+    ///     l: f64,
+    /// }
+    ///
+    /// let points = Points { m: 2.0, l: 1.0 }.prepare()?;
+    /// let guess = State::<Points> { a: 0.4, b: 0.6, ..Default::default() };
+    /// let start = points.assemble(guess).hold("middle").set("momentum", 6.0).solve()?;
+    /// assert!((start.a - 0.0).abs() < 1e-15 && (start.b - 1.0).abs() < 1e-15);
+    /// assert!((points.outputs(0.0, &start, &[]).momentum - 6.0).abs() < 1e-14);
+    /// # Ok(())
+    /// # }
+    /// # #[cfg(not(feature = "derive"))] fn main() {}
+    /// ```
     #[must_use]
     pub fn hold(self, name: &str) -> Self {
         self.wish(name, None)
     }
 
-    /// Asks for a value of a coordinate or of a velocity: an entry of the state, or one of x or v that depends on it.
+    /// Asks for a value of a coordinate, of a velocity or of an output; see [`hold`](Self::hold).
     #[must_use]
     pub fn set(self, name: &str, value: f64) -> Self {
         self.wish(name, Some(value))

@@ -76,6 +76,27 @@ pub enum Error {
         /// All that was asked for, with what remains, and what is in the way.
         report: Box<AssemblyReport>,
     },
+    /// An output cannot be asked for in an assembly, which knows states only.
+    CannotHold {
+        /// The output.
+        name: &'static str,
+        /// What it depends on beyond them.
+        on: &'static str,
+    },
+    /// A define was asked for that has no value at run time.
+    NotAnOutput {
+        /// Its name.
+        define: &'static str,
+    },
+    /// An output has no finite value in this state.
+    Undefined {
+        /// The output.
+        output: &'static str,
+        /// What it divides by, other than guards.
+        divisors: &'static [&'static str],
+        /// When.
+        time: f64,
+    },
     /// An entry of the state left the finite numbers.
     Diverged {
         /// The entry's name.
@@ -231,6 +252,23 @@ impl fmt::Display for Error {
                     out.write_str("; ")?;
                 }
                 out.write_str("start from another guess, hold fewer coordinates, or check the dimensions")
+            }
+            Error::CannotHold { name, on } => write!(
+                out,
+                "the output `{name}` depends on {on} and cannot be held: an assembly moves coordinates and speeds only; \
+                 `meet` takes any quantity of the state"
+            ),
+            Error::NotAnOutput { define } => write!(
+                out,
+                "the define `{define}` has no value at run time; write `#[output({define})]` in the model to hold it"
+            ),
+            Error::Undefined { output, divisors, time } => {
+                write!(out, "the output `{output}` has no finite value at t = {time}")?;
+                if !divisors.is_empty() {
+                    out.write_str("; it divides by ")?;
+                    list(out, divisors)?;
+                }
+                Ok(())
             }
             Error::Diverged { name, time } => write!(
                 out,

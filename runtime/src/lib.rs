@@ -100,7 +100,7 @@ pub use simulate::{Interrupted, Method, Simulation, Trajectory};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use system::{
     ChartInfo, ConstrainedSystem, Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo,
-    RowInfo, State,
+    OutputInfo, RowInfo, State,
 };
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use vector::Vector;

@@ -2,6 +2,7 @@
 
 mod charts;
 mod initial;
+mod outputs;
 mod reactions;
 mod velocities;
 

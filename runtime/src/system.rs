@@ -7,7 +7,7 @@ use core::fmt::Debug;
 use crate::{Error, Matrix, Prepared, Scalar, Vector};
 
 pub use description::{
-    ChartInfo, Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo, RowInfo,
+    ChartInfo, Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo, OutputInfo, RowInfo,
 };
 
 /// The state of a model: `State::<RollingDisk> { theta: 0.3, .. }`.
@@ -48,6 +48,8 @@ pub trait ConstrainedSystem: Sized + Clone {
     type Multipliers<T: Scalar>: Vector<T>;
     /// The inputs; `[T; 0]` without inputs.
     type Inputs<T: Scalar>: Vector<T>;
+    /// The outputs; `[T; 0]` without outputs.
+    type Outputs<T: Scalar>: Vector<T>;
     /// x, the coordinates of the initial system.
     type Coordinates<T: Scalar>: Vector<T>;
     /// u, the speeds of the state.
@@ -208,6 +210,26 @@ pub trait ConstrainedSystem: Sized + Clone {
         s: &Self::State<T>,
         w: &Self::Carriers<T>,
     ) -> Self::StateCoordinates<T>;
+
+    /// The outputs at a state. A model that has none need not say so; what is provided is not a number.
+    fn outputs<T: Scalar>(_: &Self::Values<T>, _: T, _: &Self::State<T>, _: &Self::Inputs<T>) -> Self::Outputs<T> {
+        Vector::from_fn(|_| T::from_f64(f64::NAN))
+    }
+
+    /// The outputs for the carriers w, their rates ẇ and the multipliers λ, whatever the speeds of the state: v̇ = D1ᵀ ẇ + a_1
+    /// (4.5) with a configuration, v̇ = ẇ without. Of `s` the coordinates are read; where the model gives v = g(u, x, t) (5.8)
+    /// also its speeds.
+    fn carried_outputs<T: Scalar>(
+        _: &Self::Values<T>,
+        _: T,
+        _: &Self::State<T>,
+        _: &Self::Carriers<T>,
+        _: &Self::Carriers<T>,
+        _: &Self::Multipliers<T>,
+        _: &Self::Inputs<T>,
+    ) -> Self::Outputs<T> {
+        Vector::from_fn(|_| T::from_f64(f64::NAN))
+    }
 
     /// u of a chart (see [`Description::charts`]) from v. Of `s` the coordinates are read; where the model gives v = g(u, x, t) (5.8)
     /// with a nonlinear g also its speeds: then the result is one Gauss-Newton step from these, to be repeated.

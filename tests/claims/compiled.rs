@@ -19,6 +19,25 @@ pub fn claim<M: ConstrainedSystem>(model: &Prepared<M>, t: f64, q: &[f64], u: &[
     let dual = model.system().clone().prepare_as::<Dual<f64>>().expect("the parameters are good");
     let moving = M::State::<Dual<f64>>::from_fn(|j| Dual::new(y[j], rate[j]));
     let along = entries(&dual.velocities(Dual::variable(t), &moving));
+    let (moving_rate, _) =
+        dual.derivative(Dual::variable(t), &moving, &M::Inputs::from_fn(|j| Dual::constant(inputs[j])));
+    let second: Vec<f64> = entries(&moving_rate).iter().map(|rate| rate.derivative).collect();
+    let (velocities, given_rates) = (entries(&v), entries(&model.velocity_rates(t, &s, &i)));
+    // w and ẇ by the names of the carriers
+    let known = |name: &&str| {
+        let place = |names: &[&str]| names.iter().position(|other| other == name);
+        let coordinate = M::MODEL.state_coordinates.iter().position(|x| format!("dot_{x}") == **name);
+        place(M::MODEL.velocities)
+            .map(|j| (velocities[j], given_rates[j]))
+            .or(coordinate.map(|j| (rate[j], second[j])))
+            .or(place(M::MODEL.state_speeds).map(|j| (u[j], rate[q.len() + j])))
+    };
+    let carriers: Option<Vec<(f64, f64)>> = M::MODEL.carriers.iter().map(known).collect();
+    let carried_outputs = carriers.map(|carriers| {
+        let (w, dw) = (M::Carriers::from_fn(|j| carriers[j].0), M::Carriers::from_fn(|j| carriers[j].1));
+        entries(&model.carried_outputs(t, &s, (&w, &dw), &model.multipliers(t, &s, &i), &i))
+    });
+    let outputs = M::MODEL.outputs.iter().map(|output| output.name.to_string());
     let names = |names: &[&str]| names.iter().map(ToString::to_string).collect::<Vec<_>>();
     let lambda = entries(&model.multipliers(t, &s, &i)).into_iter().zip(M::MODEL.multipliers);
     Claim {
@@ -27,11 +46,11 @@ pub fn claim<M: ConstrainedSystem>(model: &Prepared<M>, t: f64, q: &[f64], u: &[
         speed_names: names(M::MODEL.state_speeds),
         speeds: u.to_vec(),
         coordinates: entries(&x),
-        velocities: entries(&v),
+        velocities,
         coordinate_rates: rate[..q.len()].to_vec(),
         accelerations: rate[q.len()..].to_vec(),
         velocity_rates: along.iter().map(|v| v.derivative).collect(),
-        given_rates: entries(&model.velocity_rates(t, &s, &i)),
+        given_rates,
         mass_matrix: dense(&model.mass_matrix(t, &s)),
         forcing: entries(&model.forcing(t, &s, &i)),
         complement: dense(&model.complement(t, &s)),
@@ -58,34 +77,32 @@ pub fn claim<M: ConstrainedSystem>(model: &Prepared<M>, t: f64, q: &[f64], u: &[
         forces: entries(&model.forces(t, &x, &v, &i)),
         kinetic_energy: model.kinetic_energy(t, &x, &v),
         potential_energy: model.potential_energy(t, &x),
-        charts: (1..M::MODEL.charts.len()).map(|chart| chart_claim(model, chart, t, q, &v, &i)).collect(),
+        charts: (0..M::MODEL.charts.len()).map(|chart| in_chart(model, chart, t, &s, &i)).collect(),
+        outputs: outputs.zip(entries(&model.outputs(t, &s, &i))).collect(),
+        carried_outputs,
     }
 }
 
-/// What a chart beyond the first says at the state (q, v).
-fn chart_claim<M: ConstrainedSystem>(
+/// The same state in the speeds of a chart.
+fn in_chart<M: ConstrainedSystem>(
     model: &Prepared<M>,
     chart: usize,
     t: f64,
-    q: &[f64],
-    v: &M::Velocities<f64>,
+    s: &M::State<f64>,
     i: &M::Inputs<f64>,
 ) -> ChartClaim {
-    let coordinates = M::State::<f64>::from_fn(|j| q.get(j).copied().unwrap_or(0.0));
-    let own = entries(&model.chart_speeds(chart, t, &coordinates, v));
-    let y: Vec<f64> = q.iter().chain(&own).copied().collect();
-    let (rate, guards) = model.chart_derivative(chart, t, &M::State::<f64>::from_fn(|j| y[j]), i);
-    let rate = entries(&rate);
-    let dual = model.system().clone().prepare_as::<Dual<f64>>().expect("the parameters are good");
-    let moving = M::State::<Dual<f64>>::from_fn(|j| Dual::new(y[j], rate[j]));
-    let along = entries(&dual.chart_velocities(chart, Dual::variable(t), &moving));
+    let first = M::MODEL.state_coordinates.len();
+    let u = entries(&model.chart_speeds(chart, t, s, &model.velocities(t, s)));
+    let y = entries(s);
+    let s = M::State::<f64>::from_fn(|i| if i < first { y[i] } else { u[i - first] });
+    let (rate, guards) = M::chart_derivative(chart, model.values(), t, &s, i);
+    let (rate, guards) = (entries(&rate), entries(&guards));
     ChartClaim {
-        names: M::MODEL.charts[chart].speeds.iter().map(ToString::to_string).collect(),
-        velocities: along.iter().map(|v| v.value).collect(),
-        velocity_rates: along.iter().map(|v| v.derivative).collect(),
-        coordinate_rates: rate[..q.len()].to_vec(),
-        guards: entries(&guards),
-        speeds: own,
+        velocities: entries(&M::chart_velocities(chart, model.values(), t, &s)),
+        coordinate_rates: rate[..first].to_vec(),
+        accelerations: rate[first..].to_vec(),
+        guards: guards[..M::MODEL.charts[chart].guards.len()].to_vec(),
+        speeds: u,
     }
 }
 

@@ -1,7 +1,7 @@
 //! What the engine's equations claim at a state, by evaluating its expressions.
 
 use crate::oracle::{ChartClaim, Claim, Dual, Multiplier, Number, System, derivative};
-use holonomy_engine::projection::{AsIs, Equations, project};
+use holonomy_engine::projection::{AsIs, Equations, Guard, project};
 use holonomy_engine::symbolic::{Algebra, Expr, Function, Given, Graph, Matrix, Rational, Symbol};
 use holonomy_engine::{model, syntax};
 use nalgebra::DMatrix;
@@ -129,6 +129,31 @@ impl Evaluated<'_> {
         self.of_state(&self.equations.velocities, t, q, u)
     }
 
+    /// The state (q, u) in the speeds of a chart.
+    fn in_chart(&self, chart: usize, t: f64, q: &[f64], u: &[f64], v: &[f64]) -> ChartClaim {
+        let e = self.equations;
+        // v replaces what a speed of the same symbol is in the state
+        let mut algebra = self.values(t, [(&e.state_coordinates, q), (&e.state_speeds, u)]);
+        algebra.0.extend(e.speeds.iter().copied().zip(v.iter().copied()));
+        let speeds = e.graph.evaluate_in(&e.chart_speeds[chart], &mut algebra);
+        let guards = |guards: &[Guard]| guards.iter().map(|guard| guard.expr).collect::<Vec<_>>();
+        let (symbols, rates, accelerations, velocities, guards) = match chart.checked_sub(1).map(|at| &e.charts[at]) {
+            Some(c) => (&c.speeds, &c.coordinate_rates, &c.accelerations, &c.velocities, guards(&c.guards)),
+            None => (&e.state_speeds, &e.coordinate_rates, &e.accelerations, &e.velocities, guards(&e.guards)),
+        };
+        let value = |expressions: &[Expr]| {
+            let mut algebra = self.values(t, [(&e.state_coordinates, q), (symbols, &speeds)]);
+            e.graph.evaluate_in(expressions, &mut algebra)
+        };
+        ChartClaim {
+            velocities: value(velocities),
+            coordinate_rates: value(rates),
+            accelerations: value(accelerations),
+            guards: value(&guards),
+            speeds,
+        }
+    }
+
     /// Everything that the equations say about the state (q, u).
     pub fn claim(&self, t: f64, q: &[f64], u: &[f64]) -> Claim {
         let e = self.equations;
@@ -147,28 +172,31 @@ impl Evaluated<'_> {
             values.iter().zip(rates).map(|(&value, &rate)| Dual::moving(value, rate)).collect()
         };
         let along = self.of_state(&e.velocities, Dual::moving(t, 1.0), &moving(q, &rates), &moving(u, &accelerations));
-        let charts = e.charts.iter().zip(e.chart_speeds.iter().skip(1)).map(|(chart, speeds)| {
-            let mut algebra = self.values(t, [(&e.state_coordinates, q), (&e.speeds, &velocities)]);
-            let own = e.graph.evaluate_in(speeds, &mut algebra);
-            let mut algebra = self.values(t, [(&e.state_coordinates, q), (&chart.speeds, &own)]);
-            let mut of_chart = |expressions: &[Expr]| e.graph.evaluate_in(expressions, &mut algebra);
-            let (rates, accelerations) = (of_chart(&chart.coordinate_rates), of_chart(&chart.accelerations));
-            let along = (&moving(q, &rates), &moving(&own, &accelerations));
-            let groups = [(&e.state_coordinates[..], &along.0[..]), (&chart.speeds[..], &along.1[..])];
-            let along = e.graph.evaluate_in(&chart.velocities, &mut self.values(Dual::moving(t, 1.0), groups));
-            ChartClaim {
-                names: named(&chart.speeds),
-                velocities: along.iter().map(|v| v.value).collect(),
-                velocity_rates: along.iter().map(|v| v.rate).collect(),
-                guards: of_chart(&chart.guards.iter().map(|guard| guard.expr).collect::<Vec<_>>()),
-                coordinate_rates: rates,
-                speeds: own,
-            }
-        });
-        let charts = charts.collect();
         let multipliers = state(&e.multipliers).into_iter().zip(&e.multiplier_names).zip(&e.multiplier_rows);
-        let multipliers =
+        let outputs = e.outputs.names.iter().cloned().zip(state(&e.outputs.values)).collect();
+        // q̈ along the motion
+        let second =
+            self.of_state(&e.coordinate_rates, Dual::moving(t, 1.0), &moving(q, &rates), &moving(u, &accelerations));
+        let multipliers: Vec<Multiplier> =
             multipliers.map(|((value, name), &row)| Multiplier { name: name.clone(), value, row }).collect();
+        let given_rates = state(&e.velocity_rates);
+        let known = |symbol: &Symbol| -> Option<(f64, f64)> {
+            let place = |symbols: &[Symbol]| symbols.iter().position(|other| other == symbol);
+            let of_coordinate = |x: &Symbol| format!("dot_{}", e.graph.name(*x)) == e.graph.name(*symbol);
+            place(&e.speeds)
+                .map(|i| (velocities[i], given_rates[i]))
+                .or(e.state_coordinates.iter().position(of_coordinate).map(|i| (rates[i], second[i].rate)))
+                .or(place(&e.state_speeds).map(|i| (u[i], accelerations[i])))
+        };
+        let carriers: Option<Vec<(f64, f64)>> = e.carriers.iter().map(known).collect();
+        let carried_outputs = carriers.map(|carriers| {
+            let (w, dw): (Vec<f64>, Vec<f64>) = carriers.into_iter().unzip();
+            let mut algebra = self.values(t, [(&e.state_speeds, u), (&e.state_coordinates, q)]);
+            algebra.0.extend(e.carriers.iter().copied().zip(w));
+            algebra.0.extend(e.outputs.carrier_rates.iter().copied().zip(dw));
+            algebra.0.extend(e.outputs.reactions.iter().map(|(symbol, at)| (*symbol, multipliers[*at].value)));
+            e.graph.evaluate_in(&e.outputs.carried, &mut algebra)
+        });
         Claim {
             t,
             state_coordinates: q.to_vec(),
@@ -177,7 +205,7 @@ impl Evaluated<'_> {
             coordinate_rates: rates,
             accelerations,
             velocity_rates: along.iter().map(|v| v.rate).collect(),
-            given_rates: state(&e.velocity_rates),
+            given_rates,
             mass_matrix: matrix(&e.mass_matrix, state(e.mass_matrix.entries())),
             forcing: state(&e.forcing),
             complement: matrix(&e.complement, state(e.complement.entries())),
@@ -195,7 +223,9 @@ impl Evaluated<'_> {
             forces: initial(&e.forces),
             kinetic_energy: initial(&[e.kinetic_energy])[0],
             potential_energy: e.potential_energy.map(|potential| initial(&[potential])[0]),
-            charts,
+            charts: (0..e.chart_speeds.len()).map(|chart| self.in_chart(chart, t, q, u, &velocities)).collect(),
+            outputs,
+            carried_outputs,
             coordinates,
             velocities,
         }

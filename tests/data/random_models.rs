@@ -298,7 +298,7 @@ pub struct Random12 {
 )]
 #[potential_energy(1/sqrt(1.50 + powi(x1, 2)))]
 #[constraint(row1: ddot(x1) - 0.28*dot(x1) - 0.28*bump(1.12*x1 - 0.25*x1 - 1.04) == 0)]
-#[independent(dot(x1))]
+#[independent(s1 = 1.61*dot(x1))]
 pub struct Random13 {
     #[nominal(1.23)]
     pub p1: f64,
@@ -318,6 +318,7 @@ pub struct Random13 {
 #[constraint(row1: 1.43*x2 + 0.22*sin(x2) - 0.79 == 0)]
 #[constraint(row2: 1.15*dot(x1) + 0.28*dot(x1)*dot(x2)*ln(1.60 + 0.42*cos(x1)) - 0.41*atan2(x2, 2 + cos(x1))/2 == 0)]
 #[independent(dot(x1))]
+#[independent(s1 = 1.05*dot(x1) - 0.11*sin(1.12*x2)*dot(x2))]
 pub struct Random14 {
     #[nominal(1.20)]
     pub p1: f64,
@@ -340,6 +341,7 @@ pub struct Random14 {
 )]
 #[constraint(row1: 1.38*x1 + 0.30*sin(1.41*t) + 0.54 == 0)]
 #[constraint(row2: ddot(x2) - 0.22*sin(p1*x2 + 0.75)*dot(v1) - 0.29*v1 - 0.29*(if t <= 0.41 { sin(0.61*x1 + 0.30*x2) } else { sin(0.71*t + 0.81*x2 - 0.86) }) == 0)]
+#[independent(s1 = v2 + 0.17*0.95*sin(x1)/(1.50 + cos(x2))*v1)]
 #[independent(v2)]
 pub struct Random15 {
     #[nominal(0.56)]
@@ -515,6 +517,7 @@ pub struct Random22 {
 #[potential_energy((if x1 < 0.06 { ln(1.60 + 0.65*cos(x2)) } else { exp(-powi(x1, 2)/2) }))]
 #[constraint(row1: (1.50 - 0.25*powi(cos(0.58*x2 - 0.27*x2), 3))*dot(x1) + 0.22*sin(0.75*x2 + 0.72*x1)*dot(x2) == 0)]
 #[independent(dot(x2))]
+#[independent(s1 = dot(x2) + 0.11*0.31*sin(x1)/(1.50 + cos(x2))*dot(x1) + 0.26*x2/(1 + powi(x2, 2)))]
 pub struct Random23 {
     #[nominal(0.74)]
     pub p1: f64,
@@ -536,7 +539,7 @@ pub struct Random23 {
     1.26*sin(0.96*x1 + 0.79*x1)*cos(0.72*x1) - p2*1.91 - 0.88*v1/(1 + powi(x2, 2)),
 )]
 #[constraint(row1: 1.41*x1 + 0.14*sin(x1) + 0.33*x2 + 0.36 == 0)]
-#[independent(v2)]
+#[independent(s1 = 1.96*v2 - 0.25*sin(0.93*x2 - 0.47*x1 + 0.29)*v1)]
 pub struct Random24 {
     #[nominal(1.14)]
     pub p1: f64,
@@ -573,6 +576,7 @@ pub struct Random25 {
 
 #[derive(ConstrainedSystem, Clone, Debug)]
 #[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
+#[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2, x3)]
 #[inertia(matrix(
     [(1.27)*(1.27), (1.27)*(0.12*sin(1.18*x2 - 1.20)), (1.27)*(0.26*sin(0.66*x3 - 0.53*x2 - 0.59)*cos(0.87*x1 + 1.05))],
@@ -587,7 +591,7 @@ pub struct Random25 {
 #[constraint(height: 1.86*x1 + exp(0.24*x3)/2 - 0.78 == 0)]
 #[constraint(height_rate: 1.86*dot(x1) + 0.24*exp(0.24*x3)*dot(x3)/2 == 0)]
 #[constraint(further: dot(x2) - 0.29*1/sqrt(1.50 + powi(x3, 2))*dot(x3) - 0.28*cos(0.76*x2 - 0.76*x3)*dot(x1) == 0)]
-#[independent(dot(x3))]
+#[independent(s1 = 1.61*dot(x3) - 0.22*bump(0.76*x1 - 0.42*x1)*dot(x1) + 0.55*tan(0.44*sin(x3))/2)]
 pub struct Random26 {
     #[nominal(0.87)]
     pub p1: f64,
@@ -679,7 +683,7 @@ pub struct Random29 {
 #[configuration(x2 = 0.58*sin(p1*x1 + 0.64))]
 #[constraint(held_x2: x2 - (0.58*sin(p1*x1 + 0.64)) == 0)]
 #[constraint(rolling: (1.50 - 0.26*tan(0.63*sin(x1))/2)*dot(x3) + 0.18*(if x1 <= -0.03 { tan(0.57*sin(x1))/2 } else { sin(1.04*x1 + 0.84) })*dot(x1) == 0)]
-#[independent(dot(x1))]
+#[independent(s1 = dot(x1) + 0.31*ln(1.60 + 0.92*cos(x3))*dot(x3) + 0.60*atan2(x1, 2 + cos(x1))/2)]
 pub struct Random30 {
     #[nominal(0.87)]
     pub p1: f64,
@@ -766,6 +770,7 @@ pub struct Random33 {
 #[constraint(row1: powi(dot(x2), 2) - 0.20*powi(dot(x2), 2) - (2 - 0.20*tan(0.75*sin(x3))/2) == 0)]
 #[constraint(row2: 1.91*dot(x3) + 0.15*dot(x3)*dot(x2)*sin(0.88*x2) - 0.57*sin(1.15*x1 + 1.19)*cos(0.57*x3 + 0.79*x3 - 1.23) == 0)]
 #[constraint(row3: 1.35*dot(x1) - 0.29*sqrt(1.50 + powi(dot(x3), 2) + powi(dot(x3), 2)) - 0.32*atan2(x1, 2 + cos(x3))/2 == 0)]
+#[independent(s1 = dot(x1), dot(x3), s3 = dot(x2) - 0.28*1/sqrt(1.50 + powi(x2, 2))*dot(x1) - 0.18*sin(0.54*x3 + 0.86*x3)*cos(0.40*x3)*dot(x3))]
 #[independent(dot(x1), dot(x3), dot(x2))]
 pub struct Random34 {
     #[nominal(0.80)]
@@ -792,7 +797,7 @@ pub struct Random34 {
     p1*x1,
 )]
 #[constraint(row1: ddot(x3) - 0.27*atan2(x2, 2 + cos(x3))/2*dot(v2) + 0.22*exp(-powi(t, 2)/2)*dot(v1) - 0.46*v2*v2*cos(0.77*t - 0.85*x2) == 0)]
-#[independent(v1, v2, v3)]
+#[independent(s1 = (1.50 - 0.29*wave(0.92*x2))*v1, v2, s3 = 1.08*v3 + 0.20*(if x1 <= -0.58 { cos(0.54*x2) } else { x3/(1 + powi(x3, 2)) })*v1)]
 pub struct Random35 {
     #[nominal(1.15)]
     pub p1: f64,
@@ -892,7 +897,7 @@ pub struct Random38 {
 #[constraint(row1: 1.23*x1 + 0.28*x2 + 0.30*sin(0.86*t) + 0.63 == 0)]
 #[constraint(again1: 0.77*(1.23*x1 + 0.28*x2 + 0.30*sin(0.86*t) + 0.63) == 0, redundant)]
 #[constraint(again2: 0.85*(1.23*x1 + 0.28*x2 + 0.30*sin(0.86*t) + 0.63) == 0, redundant)]
-#[independent(v2)]
+#[independent(s1 = v2 - 0.20*atan2(x2, 2 + cos(x2))/2*v1 - 0.44*sin(1.08*x1))]
 pub struct Random39 {
     #[nominal(1.14)]
     pub p1: f64,
@@ -1047,7 +1052,7 @@ pub struct Random44 {
 )]
 #[constraint(row1: 1.74*v3 + 0.30*bump(0.81*t)*v1 == 0)]
 #[constraint(row2: v4 - 0.24*sin(0.55*x2 + 0.72)*v1 + 0.40*sin(1.12*x3) == 0)]
-#[independent(v2, v1)]
+#[independent(s1 = (1.50 - 0.28*atan2(x3, 2 + cos(x1))/2)*v2 - 0.12*bump(0.56*x3 + 0.59*x3)*v3 + 0.16*t/(1 + powi(t, 2))*v4 + 0.23*(if x2 >= -0.50 { sin(0.78*t) } else { x3/(1 + powi(x3, 2)) }), v1)]
 pub struct Random45 {
     #[nominal(0.94)]
     pub p1: f64,
@@ -1066,6 +1071,7 @@ pub struct Random45 {
 )]
 #[constraint(row1: 1.41*x4 + 0.20*x1*x2 + 0.27*x3 + 0.19*sin(x2) - 0.13 == 0)]
 #[independent(dot(x2), dot(x3), dot(x1))]
+#[independent(s1 = (1.50 + 0.26*powi(cos(1.07*x1 + 0.63*x1), 3))*dot(x2) - 0.13*tan(0.86*sin(x1))/2*dot(x4) + 0.41*wave(0.98*x3 - 0.75*x2 + 0.59), s2 = (1.50 - 0.21*1/sqrt(1.50 + powi(x1, 2)))*dot(x3) + 0.17*powi(cos(0.59*x3 + 0.45*x2 + 1.01), 3)*dot(x2) + 0.21*atan2(x3, 2 + cos(x3))/2*dot(x4), s3 = dot(x1) + 0.15*(if x2 < -0.59 { tan(0.43*sin(x2))/2 } else { sin(0.63*x1 - 0.54*x4 - 1.16) })*dot(x2))]
 pub struct Random46 {
     #[nominal(0.85)]
     pub p1: f64,
@@ -1087,7 +1093,7 @@ pub struct Random46 {
 )]
 #[constraint(row1: 1.71*x2 + 0.26*sin(x2) + exp(0.24*x3)/2 + 0.30*sin(0.91*t) - 0.27 == 0)]
 #[constraint(row2: dot(x1) - 0.35*sin(p1*x3 - 0.30)*dot(x3) - 0.26*tan(0.67*sin(x2))/2*dot(x2) - 0.24*sin(p2*x2 - 0.48) == 0)]
-#[independent(dot(x3))]
+#[independent(s1 = dot(x3) + 0.34*ln(1.60 + 0.34*cos(x1))*dot(x2))]
 pub struct Random47 {
     #[nominal(0.95)]
     pub p1: f64,
@@ -1135,6 +1141,7 @@ pub struct Random48 {
 
 #[derive(ConstrainedSystem, Clone, Debug)]
 #[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
+#[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2, x3, x4)]
 #[inertia(diag((1.31 - 0.32*ln(1.60 + 0.35*cos(x3))), (1.33 - 0.11*wave(1.01*x1 + 0.26)), (1.05 - 0.13*1/sqrt(1.50 + powi(x1, 2))), 1.00))]
 #[forces(
@@ -1147,7 +1154,7 @@ pub struct Random48 {
 #[constraint(height: 1.90*x4 + 0.17*sin(x4) + 0.33*x2*x3 + 0.29*x3 - 0.58 == 0)]
 #[constraint(first: dot(x1) - 0.10*wave(0.68*x1 + 0.56*x2)*dot(x2) - 0.32*(if x1 >= -0.43 { wave(1.06*x1 - 0.74*x2 + 0.36) } else { cos(0.56*x2) }) == 0)]
 #[constraint(second: 1.90*dot(x4) + 0.17*cos(x4)*dot(x4) + 0.33*(dot(x2)*x3 + x2*dot(x3)) + 0.29*dot(x3) - 0.50*sin(0.80*x2)*cos(0.63*x3)*(dot(x1) - 0.10*wave(0.68*x1 + 0.56*x2)*dot(x2) - 0.32*(if x1 >= -0.43 { wave(1.06*x1 - 0.74*x2 + 0.36) } else { cos(0.56*x2) })) == 0)]
-#[independent(dot(x3), dot(x2))]
+#[independent(s1 = 1.94*dot(x3) - 0.26*bump(0.92*x3 - 0.23*x4)*dot(x4), s2 = 1.19*dot(x2) + 0.11*cos(0.52*x1)*dot(x3) - 0.54*tan(0.40*sin(x2))/2)]
 pub struct Random49 {
     #[nominal(0.52)]
     pub p1: f64,
@@ -1363,12 +1370,14 @@ pub struct Random58 {
 #[constraint(row3: (1.50 - 0.17*1/sqrt(1.50 + powi(x4, 2)))*dot(x1) - 0.19*x2/(1 + powi(x2, 2))*dot(x4) - 0.13*(if x4 >= -0.56 { atan2(x1, 2 + cos(x2))/2 } else { sin(p1*x4 + 0.87) })*dot(x2) == 0)]
 #[constraint(row4: ddot(x3) + 0.12*powi(cos(0.54*x3), 3)*ddot(x4) - 0.12*sin(1.19*x3 + 0.72*x2 + 1.11)*cos(0.80*x4 + 1.02)*ddot(x2) + 0.57*dot(x1)/sqrt(1.20 + powi(dot(x2), 2)) == 0)]
 #[independent(dot(x3))]
+#[independent(s1 = dot(x3) + 0.27*sin(1.02*x3)*dot(x4) - 0.57*cos(0.68*x2 - 1.31))]
 pub struct Random59 {
     #[nominal(1.44)]
     pub p1: f64,
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
 #[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2, x3, x4)]
 #[speeds(v1, v2, v3, v4)]
@@ -1394,6 +1403,7 @@ pub struct Random59 {
 #[constraint(row3: 1.29*v2 - 0.21*v2*v3*cos(0.63*x2 + 0.54*x4) + 0.25*tan(0.98*sin(x4))/2 == 0)]
 #[constraint(row4: dot(v4) + 0.10*1/sqrt(1.50 + powi(x3, 2))*dot(v3) - 0.16*(if x2 <= -0.23 { ln(1.60 + 0.37*cos(x1)) } else { bump(1.05*x2 - 0.65*x4) })*dot(v1) - 0.64*v4*v1*exp(-powi(x3, 2)/2) == 0)]
 #[independent(v4, v2)]
+#[independent(s1 = 1.80*v4 + 0.28*wave(0.56*x2)*v3, s2 = v2 - 0.34*(if x2 <= 0.54 { wave(1.00*x4 + 0.42*x4) } else { 1/sqrt(1.50 + powi(x2, 2)) })*v4)]
 pub struct Random60 {
     #[nominal(0.62)]
     pub p1: f64,
@@ -1452,7 +1462,7 @@ pub struct Random61 {
     p2*v4*v4*exp(-powi(x4, 2)/2),
 )]
 #[constraint(row1: 1.71*x4 + 0.28*sin(x4) + 0.26*x1*x1 + 0.26*sin(x2) + 0.22*powi(x3, 2)/2 - 0.15 == 0)]
-#[independent(v3, v2, v1)]
+#[independent(s1 = 1.81*v3 + 0.27*sin(0.88*x3 + 1.15)*v4, s2 = (1.50 + 0.11*ln(1.60 + 0.30*cos(x2)))*v2 + 0.31*tan(0.64*sin(x3))/2*v3, v1)]
 pub struct Random62 {
     #[nominal(0.80)]
     pub p1: f64,
@@ -1860,6 +1870,7 @@ pub struct Random75 {
 #[constraint(row1: 1.95*x4 + 0.17*sin(x4) + 0.22*powi(x3, 2)/2 - 0.34 == 0)]
 #[constraint(row2: 1.82*x2 + 0.34*sin(x3) + 0.25*x4*x3 - 0.27 == 0)]
 #[constraint(row3: 1.37*x1 + 0.24*sin(x1) + 0.18*x3*x3 + 0.37*x4 + 0.37*sin(x2) - 0.78 == 0)]
+#[independent(s1 = dot(x3) + 0.16*(if x2 >= 0.17 { sin(p1*x1 - 0.99) } else { ln(1.60 + 0.33*cos(x2)) })*dot(x4) - 0.22*sin(0.69*x3 - 0.59*x3)*dot(x2) - 0.38*sin(0.77*x4 - 0.55*x4 + 0.74))]
 #[independent(dot(x3))]
 pub struct Random76 {
     #[nominal(1.30)]
@@ -2686,7 +2697,7 @@ pub struct Random100 {
 #[constraint(row4: (1.50 + 0.10*t/(1 + powi(t, 2)))*dot(v2) + 0.23*sin(1.04*x2 - 0.29*x1 - 0.78)*dot(v4) - 0.27*sin(0.58*x2 + 0.57)*dot(v3) + 0.54*v3 + 0.54*wave(0.46*x2) == 0)]
 #[constraint(row5: ddot(x5) - 0.23*(if t < -0.16 { 1/sqrt(1.50 + powi(x1, 2)) } else { ln(1.60 + 0.65*cos(x1)) })*dot(v4) - 0.18*tan(0.62*sin(x4))/2*dot(v3) - 0.32*v6 - 0.32*cos(0.64*x6 + 0.32*x5 + 0.48) == 0)]
 #[constraint(row6: ddot(x1) + 0.19*atan2(x1, 2 + cos(x4))/2*dot(v4) + 0.20*sin(p1*x4 + 0.32)*dot(v3) + 0.69*v2*v3*exp(-powi(x4, 2)/2) == 0)]
-#[independent(v1, v5, v2, v6, v3, v4)]
+#[independent(s1 = 1.84*v1, s2 = (1.50 + 0.29*cos(1.19*x1))*v5 + 0.29*ln(1.60 + 0.72*cos(x4))*v1, s3 = 1.72*v2 - 0.33*tan(0.33*sin(x3))/2*v1 - 0.31*(if x4 > -0.16 { 1/sqrt(1.50 + powi(x4, 2)) } else { sin(p1*x2 + 0.52) })*v5, s4 = 1.77*v6 - 0.34*atan2(x3, 2 + cos(x6))/2*v1, v3, v4)]
 pub struct Random101 {
     #[nominal(0.64)]
     pub p1: f64,
@@ -2848,6 +2859,7 @@ pub struct Random105 {
 )]
 #[constraint(row1: 1.82*x4 + 0.14*sin(x4) + 0.24*sin(x3) + 0.25*powi(x1, 2)/2 - 0.11 == 0)]
 #[constraint(row2: 1.50*x2 + 0.20*sin(x2) + 0.13*sin(x3) + 0.18*powi(x1, 2)/2 + 0.20*x5*x1 - 0.77 == 0)]
+#[independent(s1 = (1.50 - 0.24*wave(0.99*x1 - 0.27*x2))*dot(x5) - 0.35*0.66*sin(x3)/(1.50 + cos(x4))*dot(x4), s2 = 1.48*dot(x1) - 0.33*exp(-powi(x2, 2)/2)*dot(x5) + 0.58*cos(1.03*x2), dot(x3))]
 #[independent(dot(x5), dot(x1), dot(x3))]
 pub struct Random106 {
     #[nominal(0.54)]
@@ -3164,7 +3176,7 @@ pub struct Random117 {
 )]
 #[configuration(x4 = 0.62*sin(0.88*x5 - 0.77*x1))]
 #[constraint(rolling: dot(x6) + 0.22*sin(0.74*x3 + 0.66*x3)*dot(x3) - 0.34*exp(-powi(x3, 2)/2)*dot(x2) + 0.27*(if x2 > -0.04 { cos(1.14*x6) } else { x1/(1 + powi(x1, 2)) })*dot(x5) == 0)]
-#[independent(dot(x3), dot(x2), dot(x5), dot(x1))]
+#[independent(s1 = 1.85*dot(x3) - 0.15*x5/(1 + powi(x5, 2))*dot(x6), s2 = (1.50 - 0.23*0.82*sin(x6)/(1.50 + cos(x1)))*dot(x2) - 0.19*cos(0.42*x2 - 0.73*x3)*dot(x3) + 0.21*(if x5 <= -0.35 { 0.93*sin(x5)/(1.50 + cos(x2)) } else { sin(0.54*x3 - 0.89*x3) })*dot(x6) + 0.57*cos(1.12*x3), dot(x5), s4 = 1.05*dot(x1) - 0.26*(if x2 >= -0.58 { cos(0.74*x1) } else { 1/sqrt(1.50 + powi(x1, 2)) })*dot(x3) + 0.22*0.31*sin(x3)/(1.50 + cos(x1))*dot(x2))]
 pub struct Random118 {
     #[nominal(0.96)]
     pub p1: f64,
@@ -3376,7 +3388,7 @@ pub struct Random123 {
 )]
 #[constraint(row1: 1.88*x1 + 0.24*sin(x1) + 0.30*sin(0.82*t) + 0.11 == 0)]
 #[constraint(row2: 1.63*v2 - 0.12*sqrt(1.50 + powi(v1, 2) + powi(v1, 2)) + 0.51*sin(1.15*t + 0.23*x1) == 0)]
-#[independent(v2)]
+#[independent(s1 = 1.57*v2 - 0.33*1/sqrt(1.50 + powi(x2, 2))*v1)]
 pub struct Random124 {
     #[nominal(0.68)]
     pub p1: f64,
@@ -3803,7 +3815,7 @@ pub struct Random141 {
 #[forces(
     1.26*dot(x1) + dot(x1)*dot(x1)/(1.30 + 0.21*cos(0.55*x1)) + 0.72*powi(cos(0.47*t + 0.34*x1), 3) + 1.09*dot(x1),
 )]
-#[independent(dot(x1))]
+#[independent(s1 = 1.38*dot(x1))]
 pub struct Random142 {
     #[nominal(0.99)]
     pub p1: f64,
@@ -3919,6 +3931,7 @@ pub struct Random147 {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
 #[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2, x3)]
 #[speeds(v1, v2, v3)]
@@ -3937,6 +3950,7 @@ pub struct Random147 {
 #[constraint(row2: powi(v2, 2) - 0.12*powi(v3, 2) - (2 - 0.12*1/sqrt(1.50 + powi(x3, 2))) == 0)]
 #[constraint(row3: dot(v1) + 0.22*tan(0.39*sin(x1))/2*dot(v3) - 0.29*bump(1.20*x2)*dot(v2) - 0.76*sin(1.00*x2) == 0)]
 #[independent(v1, v2)]
+#[independent(s1 = v1 - 0.13*(if x2 < 0.43 { cos(1.10*x1 - 0.34) } else { cos(0.81*x1 - 1.14) })*v3, s2 = (1.50 + 0.28*(if x2 > -0.10 { powi(cos(0.61*x3 - 0.48*x2), 3) } else { 0.45*sin(x3)/(1.50 + cos(x1)) }))*v2 - 0.27*1/sqrt(1.50 + powi(x2, 2))*v1 - 0.38*(if x3 < -0.13 { wave(0.84*x1) } else { sin(0.80*x3 - 1.00) }))]
 pub struct Random148 {
     #[nominal(1.31)]
     pub p1: f64,
@@ -3961,7 +3975,7 @@ pub struct Random148 {
 #[potential_energy(cos(1.19*x1 + 0.37*x2 + 0.52))]
 #[constraint(row1: 1.30*x1 + 0.26*sin(x1) + 0.13*sin(x2) + 0.30*sin(1.00*t) + 0.15 == 0)]
 #[constraint(again1: 1.37*(1.30*x1 + 0.26*sin(x1) + 0.13*sin(x2) + 0.30*sin(1.00*t) + 0.15) == 0, redundant)]
-#[independent(v2)]
+#[independent(s1 = 1.07*v2 + 0.19*(if x1 < 0.21 { cos(0.78*t + 0.89*x2) } else { powi(cos(1.02*x1), 3) })*v1)]
 pub struct Random149 {
     #[nominal(1.48)]
     pub p1: f64,
@@ -4365,6 +4379,7 @@ pub struct Random166 {
 #[constraint(row1: 1.79*ddot(x3) - 0.31*dot(x2) - 0.31*x1/(1 + powi(x1, 2)) == 0)]
 #[constraint(row2: ddot(x2) + 0.20*sin(0.49*x2 + 0.39*x2)*cos(0.70*x3)*ddot(x3) + 0.71*dot(x3) + 0.71*sin(1.03*x2 + 1.47) == 0)]
 #[constraint(row3: 1.67*ddot(x1) + 0.13*cos(0.71*x2)*ddot(x3) - 0.12*sin(1.10*x3 - 0.52)*cos(0.61*x2)*ddot(x2) - 0.75*powi(cos(1.16*x2), 3) == 0)]
+#[independent(s1 = 1.85*dot(x1), s2 = (1.50 - 0.29*atan2(x2, 2 + cos(x2))/2)*dot(x2) - 0.21*wave(0.42*x1)*dot(x1), dot(x3))]
 #[independent(dot(x1), dot(x2), dot(x3))]
 pub struct Random167 {
     #[nominal(0.62)]
@@ -4699,7 +4714,7 @@ pub struct Random180 {
 #[constraint(height: 1.28*x2 + exp(0.18*x3)/2 + 0.30*sin(0.71*t) - 0.27 == 0)]
 #[constraint(first: (1.50 + 0.21*sin(0.97*x2 - 0.70*t + 1.12))*v1 + 0.30*exp(-powi(x2, 2)/2)*v3 - 0.19*(if x3 < -0.19 { tan(0.41*sin(t))/2 } else { cos(0.42*x1 + 0.85) })*v2 + 0.25*sin(p1*x3 + 0.62) == 0)]
 #[constraint(second: 1.28*dot(x2) + 0.18*exp(0.18*x3)*dot(x3)/2 + 0.30*0.71*cos(0.71*t) - 0.50*x3/(1 + powi(x3, 2))*((1.50 + 0.21*sin(0.97*x2 - 0.70*t + 1.12))*v1 + 0.30*exp(-powi(x2, 2)/2)*v3 - 0.19*(if x3 < -0.19 { tan(0.41*sin(t))/2 } else { cos(0.42*x1 + 0.85) })*v2 + 0.25*sin(p1*x3 + 0.62)) == 0)]
-#[independent(v3)]
+#[independent(s1 = 1.00*v3 - 0.19*bump(0.57*x2 - 0.22*t)*v2)]
 pub struct Random181 {
     #[nominal(0.70)]
     pub p1: f64,
@@ -4853,7 +4868,7 @@ pub struct Random185 {
 #[constraint(row1: 1.58*x1 + 0.24*x3*x3 + 0.71 == 0)]
 #[constraint(row2: (1.50 + 0.21*tan(0.49*sin(x4))/2)*dot(x4) - 0.31*x4/(1 + powi(x4, 2))*dot(x3) - 0.23*(if x3 < -0.35 { 1/sqrt(1.50 + powi(x4, 2)) } else { x3/(1 + powi(x3, 2)) })*dot(x1) == 0)]
 #[constraint(row3: dot(x2) + 0.21*1/sqrt(1.50 + powi(x3, 2))*dot(x3) - 0.20*wave(0.87*x1 - 0.29*x4) == 0)]
-#[independent(dot(x3))]
+#[independent(s1 = (1.50 - 0.21*0.96*sin(x1)/(1.50 + cos(x1)))*dot(x3) - 0.27*wave(1.07*x1)*dot(x1) - 0.22*cos(1.20*x1))]
 pub struct Random186 {
     #[nominal(1.21)]
     pub p1: f64,
@@ -5013,7 +5028,7 @@ pub struct Random191 {
 #[constraint(row1: v1 == 0)]
 #[constraint(row2: 1.90*v2 - 0.18*sqrt(1.50 + powi(v1, 2) + powi(v1, 2)) + 0.49*(if x2 < -0.51 { cos(0.89*x3 - 0.24*x2) } else { powi(cos(0.40*x2 - 0.88*x2), 3) }) == 0)]
 #[constraint(row3: dot(v3) - 0.10*1/sqrt(1.50 + powi(x2, 2))*dot(v1) + 0.24*cos(0.72*x1)*dot(v2) + 0.28*v1 + 0.28*tan(0.62*sin(x3))/2 == 0)]
-#[independent(v3, v2)]
+#[independent(s1 = 1.91*v3 + 0.31*sin(0.73*x3 + 0.66*x2)*v1, s2 = (1.50 + 0.25*cos(0.67*x2 + 0.47*x2 + 0.70))*v2 + 0.23*ln(1.60 + 0.57*cos(x2))*v3)]
 pub struct Random192 {
     #[nominal(0.55)]
     pub p1: f64,

@@ -28,7 +28,11 @@ pub fn check(system: &System<'_>, claim: &Claim) -> Report {
     let dynamics = system.dynamics(t, x, v);
     let rows = system.rows(t, x, v);
     let chart = chart_condition(system, claim, &dynamics, &rows);
-    let state = Compared { system, claim, motion, dynamics, rows, chart };
+    let mut state = Compared { system, claim, motion, dynamics, rows, chart };
+    if let Some(list) = system.model.charts.first() {
+        // with combinations for speeds there is no unit block to judge by
+        state.chart = state.chart.max(state.condition_of(list, &claim.guards));
+    }
     let mut report = Report::default();
     state.evaluated(&mut report);
     state.declared_rows(&mut report);
@@ -39,6 +43,7 @@ pub fn check(system: &System<'_>, claim: &Claim) -> Report {
     state.any_complement(&mut report);
     state.gauss(&mut report);
     state.charts(&mut report);
+    state.outputs(&mut report);
     report
 }
 
@@ -115,7 +120,11 @@ impl Compared<'_> {
         for (name, residual) in &self.rows.velocity {
             report.number(&format!("{name} at velocity level"), 0.0, residual.value, UNIT * self.chart * residual.size);
         }
-        for (said, left, right) in system.quasi(t, &q, &qdot, &claim.speed_names, &lift(&claim.speeds)) {
+        let quasi = system.model.configuration.as_ref().map_or(&[][..], |given| &given.speeds);
+        // where the state holds all of them
+        let held = quasi.iter().all(|name| claim.speed_names.contains(name));
+        let said = held.then(|| system.quasi(t, &q, &qdot, &claim.speed_names, &lift(&claim.speeds)));
+        for (said, left, right) in said.into_iter().flatten() {
             let size = UNIT * self.chart * left.size.max(right.size).max(size);
             report.number(&format!("(4.3) {said}"), left.value, right.value, size);
         }
@@ -196,8 +205,7 @@ impl Compared<'_> {
     /// Cᵀ λ = M v̇ − h*; its power along v; Gauss' principle: M v̇ − h* does no work on any admissible variation.
     fn reactions(&self, report: &mut Report) {
         let (claim, motion) = (self.claim, &self.motion);
-        let error =
-            &motion.reaction_error * self.chart.powi(2) + self.dynamics.m.map(|e| e.size) * self.acceleration_error();
+        let error = self.reaction_error();
         let total = self.dynamics.m.map(|e| e.value) * claim.acceleration() - self.dynamics.h.map(|e| e.value);
         report.bounded("M v̇ − h*", total.as_slice(), &motion.reaction, &error);
         // λ follows from the eliminated columns alone, and the others amplify what is wrong there once more
@@ -205,11 +213,11 @@ impl Compared<'_> {
         let reaction = claim.reaction();
         let partial = self.system.partial_velocities(claim.t, &claim.state_coordinates, &claim.coordinate_rates).0;
         let partial = partial.map(|e| e.value);
-        let rows = conditioned_rank(&claim.constraint_matrix).0;
-        if rows + motion.freedom == self.system.model.n() {
+        if self.reactions_are_known() {
             report.bounded("Cᵀ λ", reaction.as_slice(), &motion.reaction, &error);
             self.power(report, &error);
-            self.multipliers(report, &error);
+            let (expected, bound) = self.multipliers();
+            report.bounded("λ", claim.carried().1.as_slice(), &expected, &bound);
         } else {
             // the configuration binds more than the declared rows do: λ is known only as far as it acts on q
             let acting = partial.transpose() * &reaction;
@@ -226,11 +234,26 @@ impl Compared<'_> {
 }
 
 impl Compared<'_> {
+    /// What rounding may do to M v̇ − h*.
+    fn reaction_error(&self) -> DVector<f64> {
+        let of_rates = self.dynamics.m.map(|e| e.size) * self.acceleration_error();
+        &self.motion.reaction_error * self.chart.powi(2) + of_rates
+    }
+
+    /// Whether the declared rows bind all that is bound; otherwise a configuration binds more.
+    pub(super) fn reactions_are_known(&self) -> bool {
+        let rows = conditioned_rank(&self.claim.constraint_matrix).0;
+        rows + self.motion.freedom == self.system.model.n()
+    }
+
     /// λ is what the reactions leave of it: the one of minimum norm where rows depend on each other.
-    fn multipliers(&self, report: &mut Report, error: &DVector<f64>) {
-        let (rows, multipliers) = self.claim.carried();
+    ///
+    /// One entry for each carried row, with the bound of its error.
+    pub(super) fn multipliers(&self) -> (DVector<f64>, DVector<f64>) {
+        let error = self.reaction_error() * self.chart;
+        let (rows, _) = self.claim.carried();
         if rows.is_empty() {
-            return;
+            return (DVector::zeros(0), DVector::zeros(0));
         }
         // the rank is judged for rows and speeds at their own scales, the norm is that of λ as declared
         let root = roots(&self.dynamics.m.map(|e| e.value));
@@ -245,7 +268,7 @@ impl Compared<'_> {
         let size = DMatrix::from_fn(self.rows.c.nrows(), root.len(), |i, j| self.rows.c[(i, j)].size / root[j]);
         let gain = UNIT * self.chart * size.norm() * inverse.norm();
         let bound = bound.map(|e| e + gain * expected.norm());
-        report.bounded("λ", multipliers.as_slice(), &expected, &bound);
+        (expected, bound)
     }
 }
 

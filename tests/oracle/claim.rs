@@ -13,20 +13,18 @@ pub struct Multiplier {
     pub row: Option<usize>,
 }
 
-/// The motion in a chart beyond the first: other independent speeds at the same state.
-#[derive(Clone, Debug)]
+/// What a derivation says about the same state in the speeds of one chart.
+#[derive(Clone, Debug, Default)]
 pub struct ChartClaim {
-    /// The names of its speeds.
-    pub names: Vec<String>,
-    /// Their values, from v.
+    /// u of v.
     pub speeds: Vec<f64>,
-    /// v of them.
+    /// v of u.
     pub velocities: Vec<f64>,
     /// The rates of the state's coordinates.
     pub coordinate_rates: Vec<f64>,
-    /// v̇ as the derivative of `velocities` along the motion of the chart.
-    pub velocity_rates: Vec<f64>,
-    /// What the chart divides by at this state.
+    /// u̇.
+    pub accelerations: Vec<f64>,
+    /// What the chart divides by.
     pub guards: Vec<f64>,
 }
 
@@ -87,8 +85,12 @@ pub struct Claim {
     pub kinetic_energy: f64,
     /// V.
     pub potential_energy: Option<f64>,
-    /// The charts beyond the first.
+    /// The same state in every chart, the state's own first.
     pub charts: Vec<ChartClaim>,
+    /// Outputs by name.
+    pub outputs: Vec<(String, f64)>,
+    /// The same from the carriers, their rates and λ, where the claim tells these.
+    pub carried_outputs: Option<Vec<f64>>,
 }
 
 impl Claim {

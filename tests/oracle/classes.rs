@@ -9,7 +9,7 @@ use nalgebra::DMatrix;
 use std::collections::BTreeSet;
 
 /// The classes that are counted.
-pub const CLASSES: [&str; 22] = [
+pub const CLASSES: [&str; 23] = [
     "nonlinear φ",
     "acceleration rows",
     "two kinds mixed",
@@ -28,10 +28,11 @@ pub const CLASSES: [&str; 22] = [
     "M from T",
     "T with b or T0",
     "V beside T",
-    "several charts",
     "families",
     "functions of the user's",
     "cases",
+    "combined speeds",
+    "several charts",
 ];
 
 /// A derivative below this is none.
@@ -83,10 +84,11 @@ pub fn classes(system: &System<'_>, t: f64, x: &[f64], v: &[f64], k: usize) -> B
         "M from T" => model.kinetic_energy.is_some(),
         "T with b or T0" => model.kinetic_energy.is_some() && lower(),
         "V beside T" => model.kinetic_energy.is_some() && model.potential_energy.is_some(),
-        "several charts" => model.independent.len() > 1,
         "families" => !model.sizes.is_empty(),
         "functions of the user's" => !model.functions.is_empty(),
         "cases" => !model.conditions().is_empty(),
+        "combined speeds" => model.charts.iter().flatten().any(|chosen| chosen.name.is_some()),
+        "several charts" => model.charts.len() > 1,
         other => panic!("{other} is no class"),
     };
     CLASSES.into_iter().filter(|class| holds(class)).collect()

@@ -1,6 +1,6 @@
 //! How much a chart amplifies rounding, and what a matrix sends to zero.
 
-use super::claim::{ChartClaim, Claim};
+use super::claim::Claim;
 use super::kkt::{RANK, conditioned_rank, roots};
 use super::rows::Rows;
 use super::system::{Dynamics, System};
@@ -68,21 +68,6 @@ pub fn chart_condition(system: &System<'_>, claim: &Claim, dynamics: &Dynamics, 
     let of_all = of_columns(&c, &|j| block.contains(&j), claim.complement.nrows());
     let of_linear = of_columns(&c.select_rows(&linear), &held, claim.speeds.len());
     of_d.max(of_all).max(of_linear).max(growth)
-}
-
-/// The same of a chart beyond the first: what it eliminates at velocity level, and what it divides by.
-pub fn further_condition(system: &System<'_>, chart: &ChartClaim, dynamics: &Dynamics, rows: &Rows) -> f64 {
-    let n = system.model.n();
-    let root = roots(&dynamics.m.map(|e| e.value));
-    let entries = rows.c.iter().fold(1.0_f64, |size, e| size.max(e.value.abs()));
-    let growth = chart.guards.iter().fold(1.0_f64, |growth, guard| growth.max(entries / guard.abs()));
-    let linear: Vec<usize> = (0..rows.names.len()).filter(|&i| rows.linear[i]).collect();
-    let eliminated: Vec<usize> = (0..n).filter(|&j| !chart.names.contains(&system.model.speeds[j])).collect();
-    if system.model.configuration.is_some() || eliminated.len() + chart.names.len() != n {
-        return growth;
-    }
-    let c = DMatrix::from_fn(linear.len(), n, |i, j| rows.c[(linear[i], j)].value / root[j]);
-    growth.max(conditioned_rank(&unit_rows(&c).select_columns(&eliminated)).1)
 }
 
 /// The columns that are unit vectors, one for each row that has one.

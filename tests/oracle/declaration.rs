@@ -30,6 +30,15 @@ pub struct Constraint {
     pub redundant: bool,
 }
 
+/// An independent speed.
+#[derive(Clone, Debug)]
+pub struct Chosen {
+    /// The name that the list gives it, where it does.
+    pub name: Option<String>,
+    /// What it is.
+    pub value: Expr,
+}
+
 /// x = g(q, t) (4.2).
 #[derive(Clone, Debug, Default)]
 pub struct Configuration {
@@ -37,6 +46,8 @@ pub struct Configuration {
     pub coordinates: Vec<String>,
     /// g for the initial coordinates that have one; the others are their own.
     pub map: BTreeMap<String, Expr>,
+    /// Its quasi-velocities.
+    pub speeds: Vec<String>,
     /// What is said of its quasi-velocities (4.3): `u = ..` over q and q̇, or `dot(q) = ..` over q and u.
     pub quasi: Vec<(Expr, Expr)>,
 }
@@ -70,8 +81,8 @@ pub struct Declaration {
     pub constraints: Vec<Constraint>,
     /// x = g(q, t).
     pub configuration: Option<Configuration>,
-    /// The speeds asked for as independent: those of the state, then those of each further chart.
-    pub independent: Vec<Vec<Expr>>,
+    /// The speeds asked for as independent, list by list.
+    pub charts: Vec<Vec<Chosen>>,
     /// Whether v = g(u, x, t) is given (5.8): then the state's speeds satisfy the nonlinear rows as well.
     pub gives_velocities: bool,
     /// Rows of D, each with the name of its speed.
@@ -80,6 +91,8 @@ pub struct Declaration {
     pub sizes: Indices,
     /// Functions of the user's.
     pub functions: BTreeSet<String>,
+    /// Outputs in the order of their declaration.
+    pub outputs: Vec<(String, Expr)>,
     /// Named intermediates.
     pub definitions: BTreeMap<String, Expr>,
     /// Start values.

@@ -2,7 +2,7 @@
 
 use super::given::given;
 use super::number::Number;
-use super::statements::{number, plain, rate_of, second_rate_of};
+use super::statements::{number, plain, rate_of, reaction_of, second_rate_of};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use syn::{BinOp, Block, Expr, Stmt, UnOp};
@@ -12,6 +12,8 @@ pub struct Scope<'a, N> {
     names: BTreeMap<&'a str, N>,
     rates: BTreeMap<&'a str, N>,
     second_rates: BTreeMap<&'a str, N>,
+    reactions: BTreeMap<&'a str, N>,
+    outputs: BTreeMap<&'a str, N>,
     definitions: &'a BTreeMap<String, Expr>,
     known: RefCell<BTreeMap<&'a str, N>>,
 }
@@ -20,7 +22,9 @@ impl<'a, N: Number> Scope<'a, N> {
     /// A scope that knows the definitions only.
     pub fn new(definitions: &'a BTreeMap<String, Expr>) -> Self {
         let names = BTreeMap::from([("PI", N::constant(std::f64::consts::PI))]);
-        Self { names, rates: BTreeMap::new(), second_rates: BTreeMap::new(), definitions, known: RefCell::default() }
+        let (rates, second_rates) = (BTreeMap::new(), BTreeMap::new());
+        let (reactions, outputs) = (BTreeMap::new(), BTreeMap::new());
+        Self { names, rates, second_rates, reactions, outputs, definitions, known: RefCell::default() }
     }
 
     /// Adds names with their values.
@@ -38,6 +42,18 @@ impl<'a, N: Number> Scope<'a, N> {
     /// Adds the values of `ddot(name)`.
     pub fn with_second_rates(mut self, names: impl IntoIterator<Item = &'a str>, values: &[N]) -> Self {
         self.second_rates.extend(names.into_iter().zip(values.iter().copied()));
+        self
+    }
+
+    /// Adds the values of `reaction(name)`.
+    pub fn with_reactions(mut self, names: impl IntoIterator<Item = &'a str>, values: &[N]) -> Self {
+        self.reactions.extend(names.into_iter().zip(values.iter().copied()));
+        self
+    }
+
+    /// Adds the value of an output, which counts where nothing else has its name.
+    pub fn with_output(mut self, name: &'a str, value: N) -> Self {
+        self.outputs.insert(name, value);
         self
     }
 
@@ -68,6 +84,10 @@ impl<'a, N: Number> Scope<'a, N> {
                 None => panic!("a choice needs both branches"),
             },
             Expr::Block(block) => self.last(&block.block),
+            Expr::Call(_) if reaction_of(e).is_some() => {
+                let name = reaction_of(e).expect("a reaction");
+                *self.reactions.get(name.as_str()).unwrap_or_else(|| panic!("reaction({name}) is not in scope"))
+            }
             Expr::Call(call) => match (rate_of(e), second_rate_of(e)) {
                 (Some(name), _) => {
                     *self.rates.get(name.as_str()).unwrap_or_else(|| panic!("dot({name}) is not in scope"))
@@ -113,7 +133,9 @@ impl<'a, N: Number> Scope<'a, N> {
         if let Some(value) = self.names.get(name).or(self.known.borrow().get(name)) {
             return *value;
         }
-        let Some((name, definition)) = self.definitions.get_key_value(name) else { panic!("`{name}` is not in scope") };
+        let Some((name, definition)) = self.definitions.get_key_value(name) else {
+            return *self.outputs.get(name).unwrap_or_else(|| panic!("`{name}` is not in scope"));
+        };
         let value = self.value(definition);
         self.known.borrow_mut().insert(name, value);
         value

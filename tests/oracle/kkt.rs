@@ -16,6 +16,8 @@ pub const RANK: f64 = 1e-9;
 pub struct Motion {
     /// v̇.
     pub acceleration: DVector<f64>,
+    /// q̈, with a configuration.
+    pub second_rates: DVector<f64>,
     /// M v̇ − h*: all reactions together, Cᵀ λ.
     pub reaction: DVector<f64>,
     /// λ, one per declared row; of minimum norm (rows taken with unit norm) where they depend on each other. Empty with a configuration.
@@ -26,6 +28,10 @@ pub struct Motion {
     pub speeds: usize,
     /// Condition of the equilibrated matrix of (2.8).
     pub condition: f64,
+    /// q̈ of a configuration's coordinates.
+    pub generalised: DVector<f64>,
+    /// Error bound of each q̈.
+    pub generalised_error: DVector<f64>,
     /// Error bound of each v̇.
     pub acceleration_error: DVector<f64>,
     /// Error bound of each entry of the reaction.
@@ -121,9 +127,12 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial, given: bool) -> Mo
     Motion {
         reaction: value * &acceleration - force_value,
         multipliers: DVector::from_fn(if links == 0 { m } else { 0 }, |i, _| solution[n + p + i] * row_scale[i]),
+        second_rates: DVector::from_fn(p, |j, _| solution[n + j] * scale[n + j]),
         freedom: n + p - rank,
         speeds: n + p - velocity_rank,
         condition,
+        generalised: DVector::from_fn(p, |i, _| solution[n + i] * scale[n + i]),
+        generalised_error: DVector::from_fn(p, |i, _| error * scale[n + i]),
         acceleration_error: DVector::from_fn(n, |i, _| error * scale[i]),
         reaction_error: DVector::from_fn(n, |i, _| error / scale[i]),
         acceleration,

@@ -1,6 +1,6 @@
 //! The statements of a model, one attribute each.
 
-use super::declaration::{Configuration, Constraint, Declaration, Level};
+use super::declaration::{Chosen, Configuration, Constraint, Declaration, Level};
 use super::families::{Family, Indices, Named, Row, integer, written};
 use quote::ToTokens;
 use std::collections::BTreeMap;
@@ -27,7 +27,7 @@ pub fn read(model: &mut Declaration, name: &str, attribute: &Attribute) -> Resul
         "potential_energy" => model.potential_energy = Some(expression()?),
         "constraint" => model.constraints.extend(constraints(&entries(attribute)?, sizes)),
         "configuration" => model.configuration = Some(configuration(&entries(attribute)?, sizes)?),
-        "independent" => model.independent.push(list()?),
+        "independent" => model.charts.push(list()?.into_iter().map(chosen).collect::<Result<_>>()?),
         "velocities" => model.gives_velocities = true,
         "complement" => {
             for family in entries::<Family<NamedRow>>(attribute)? {
@@ -36,6 +36,16 @@ pub fn read(model: &mut Declaration, name: &str, attribute: &Attribute) -> Resul
             }
         }
         "define" => model.definitions.extend(assignments(list()?)?),
+        "output" => {
+            let output = |output: &Output, indices: &Indices| {
+                let name = output.name.entry(indices);
+                let value = output.value.as_ref().map(|e| written(e, indices));
+                (name.clone(), value.unwrap_or_else(|| self::expression(&name)))
+            };
+            for family in entries::<Family<Output>>(attribute)? {
+                model.outputs.extend(family.members(sizes, &mut { output }));
+            }
+        }
         "start" => {
             let start = assignments(list()?)?;
             model.start.extend(start.into_iter().map(|(name, value)| (name, number(&value))));
@@ -130,6 +140,26 @@ impl Parse for NamedRow {
     }
 }
 
+/// `power = ..` or `mu`, with doc comments before it.
+struct Output {
+    name: Named,
+    value: Option<Expr>,
+}
+
+impl Parse for Output {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        Attribute::parse_outer(input)?;
+        let name = input.parse()?;
+        let value = if input.parse::<Option<Token![=]>>()?.is_some() { Some(input.parse()?) } else { None };
+        Ok(Self { name, value })
+    }
+}
+
+/// `reaction(rod)` as the name of the constraint.
+pub fn reaction_of(e: &Expr) -> Option<String> {
+    plain(argument(e, "reaction")?)
+}
+
 fn assignment(e: Expr) -> Result<(Expr, Expr)> {
     match e {
         Expr::Assign(ExprAssign { left, right, .. }) => Ok((*left, *right)),
@@ -144,6 +174,16 @@ fn assignments(list: Vec<Expr>) -> Result<Vec<(String, Expr)>> {
         Ok((name, right))
     };
     list.into_iter().map(named).collect()
+}
+
+/// A speed, the rate of a coordinate, or `name = combination`.
+fn chosen(e: Expr) -> Result<Chosen> {
+    if !matches!(e, Expr::Assign(_)) {
+        return Ok(Chosen { name: None, value: e });
+    }
+    let (left, value) = assignment(e)?;
+    let name = plain(&left).ok_or_else(|| Error::new_spanned(&left, "not a name"))?;
+    Ok(Chosen { name: Some(name), value })
 }
 
 /// Either direction; the order is that of x or of v, so both must have been declared above.
@@ -260,6 +300,7 @@ fn configuration(families: &[Family<Expr>], sizes: &Indices) -> Result<Configura
             _ => configuration.quasi.push((left, right)),
         }
     }
+    configuration.speeds = quasi;
     Ok(configuration)
 }
 

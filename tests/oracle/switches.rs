@@ -31,7 +31,10 @@ impl Declaration {
         let rows = self.constraints.iter().flat_map(|row| [&row.left, &row.right]);
         let map = self.configuration.iter().flat_map(|configuration| configuration.map.values());
         let quasi = self.configuration.iter().flat_map(|configuration| configuration.quasi.iter().map(|(_, e)| e));
+        let lists = self.charts.iter().flatten().map(|chosen| &chosen.value);
         rates
+            .chain(lists)
+            .chain(self.outputs.iter().map(|(_, e)| e))
             .chain(self.inertia.iter().flatten().flatten())
             .chain(energies)
             .chain(&self.forces)

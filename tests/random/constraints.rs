@@ -74,14 +74,43 @@ impl Builder {
         allowed.iter().map(|&j| names[j].clone()).collect()
     }
 
-    /// The independent speeds in some order, or nothing: then the engine chooses.
+    /// The independent speeds in some order, plain or combined, perhaps in two charts, or nothing: then the engine chooses.
     pub(super) fn independent(&mut self, m: usize) -> String {
         if m == self.n || self.writer.random.once_in(2) {
             return String::new();
         }
         self.classes.push("independent speeds named".to_string());
         let speeds: Vec<String> = self.order[m..].iter().rev().map(|&j| self.v[j].clone()).collect();
-        format!("#[independent({})]\n", speeds.join(", "))
+        let (bound, names) =
+            (self.order[..m].iter().map(|&j| self.v[j].clone()).collect::<Vec<_>>(), self.names.clone());
+        let plain = speeds.join(", ");
+        let combined = self.writer.random.once_in(2).then(|| self.combined(&speeds, &bound, &names));
+        // a combination of one speed alone would be no other choice
+        let alone = |list: &String| (1..=speeds.len()).fold(list.clone(), |l, i| l.replace(&format!("s{i} = "), ""));
+        let several = self.writer.random.once_in(3) && combined.as_ref().is_none_or(|list| alone(list) != plain);
+        let lists = match (combined, several) {
+            (None, _) => vec![plain],
+            (Some(combined), false) => vec![combined],
+            (Some(combined), true) if self.writer.random.once_in(2) => vec![combined, plain],
+            (Some(combined), true) => vec![plain, combined],
+        };
+        lists.iter().map(|list| format!("#[independent({list})]\n")).collect()
+    }
+
+    /// Combinations, each dominant in one of the speeds, with some of the bound ones and of those before it.
+    pub(super) fn combined(&mut self, speeds: &[String], bound: &[String], names: &[String]) -> String {
+        let mut list = Vec::new();
+        for (i, speed) in speeds.iter().enumerate() {
+            if i > 0 && self.writer.random.once_in(3) {
+                list.push(speed.clone());
+                continue;
+            }
+            let mut others = [&speeds[..i], bound].concat();
+            others.truncate(1 + self.writer.random.below(2));
+            let driven = self.writer.random.once_in(3);
+            list.push(format!("s{} = {}", i + 1, self.writer.rolling(speed, &others, names, driven, false)));
+        }
+        list.join(", ")
     }
 
     /// A position row and its own derivative as a velocity row, plain or scaled, and perhaps another row.
@@ -140,7 +169,11 @@ impl Builder {
             let equation = self.writer.rolling(&rates[0], &rates[1..], &free, driven, false);
             rows += &row("rolling", &equation);
             if self.writer.random.once_in(2) {
-                rows += &format!("#[independent({})]\n", rates[1..].join(", "));
+                let list = match self.writer.random.once_in(2) {
+                    true => self.combined(&rates[1..], &rates[..1], &free),
+                    false => rates[1..].join(", "),
+                };
+                rows += &format!("#[independent({list})]\n");
             }
         }
         format!("#[configuration({})]\n{rows}", map.join(", "))

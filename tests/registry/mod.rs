@@ -16,6 +16,8 @@ pub mod bicycle;
 pub mod bodies;
 #[path = "../models/chains.rs"]
 pub mod chains;
+#[path = "../models/combined.rs"]
+pub mod combined;
 #[path = "../models/linkages.rs"]
 pub mod linkages;
 #[path = "../models/spherical.rs"]
@@ -144,6 +146,11 @@ macro_rules! every_model {
                 RollingDisk(m, r, j, g)
                 FloorDisk(m, r, j, g)
                 StagedDisk(m, r, j, g);
+            "tests/models/combined.rs" combined:
+                DiscByRates(m, r, g, d, a)
+                SphericalByTurning(m, l, g)
+                PacedBlade(m, i, g, tilt, drift, pace)
+                SwungParticle(m, g, l, k, w);
         }
     };
 }

@@ -5,6 +5,7 @@
 //! [`pipeline`] to run them. The interface of this crate may change with every release; depend on `holonomy` instead.
 
 pub mod emit;
+mod forms;
 pub mod model;
 mod orders;
 pub mod pipeline;

@@ -1,8 +1,8 @@
 //! The steps in order, from tokens to tokens.
 
-use crate::projection::{Equations, Simplifier, TANGENT_PIVOT, guards, messages, project};
-use crate::simplify::{self, limits::PROJECTION_WORK};
-use crate::symbolic::{Expr, Graph};
+use crate::forms::Forms;
+use crate::projection::{Equations, Simplifier, TANGENT_PIVOT, guards, messages, outputs, project};
+use crate::symbolic::Expr;
 use crate::syntax::{Declarations, Diagnostics};
 use crate::target::{known, target};
 use crate::{emit, model, orders, program, syntax};
@@ -110,12 +110,17 @@ fn equations(
         }
     };
     after(Step::Model, system.graph.len());
-    let mut forms = Forms { left: PROJECTION_WORK };
+    let mut forms = Forms::new();
     let mut equations = project(system, &mut forms)?;
     after(Step::Projection, equations.graph.len());
     if declarations.options.simplify {
         cheapen(&mut equations, &mut forms);
     }
+    let mut errors = Diagnostics::new();
+    for (name, span) in outputs::dividing_by_zero(&equations) {
+        errors.report(span, messages::output_divides_by_zero(name));
+    }
+    errors.result(())?;
     if guards::divides_by_zero(&equations) {
         let mut errors = Diagnostics::new();
         errors.report(&declarations.ident, messages::division_by_zero_arises());
@@ -139,19 +144,12 @@ fn cheapen(equations: &mut Equations, forms: &mut Forms) {
         group.into_iter().zip(cheaper).for_each(|(e, new)| *e = new);
     }
     equations.graph = graph;
-}
-
-/// The simplifier as the projection sees it.
-struct Forms {
-    /// What entries may still cost to normalise: in a large model most of them have no cheaper form.
-    left: usize,
-}
-
-impl Simplifier for Forms {
-    fn one(&mut self, graph: &mut Graph, e: Expr) -> Expr {
-        simplify::normalise_within(graph, e, &mut self.left)
-    }
-    fn all(&mut self, graph: &mut Graph, roots: &[Expr]) -> Vec<Expr> {
-        simplify::simplify(graph, roots, &simplify::Options::default())
+    // Outputs are made of what has become cheaper.
+    outputs::bind(equations);
+    let Equations { graph, outputs, .. } = equations;
+    for group in [&mut outputs.values, &mut outputs.carried] {
+        if !group.is_empty() {
+            *group = forms.all(graph, group);
+        }
     }
 }

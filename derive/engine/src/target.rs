@@ -2,7 +2,7 @@
 
 use crate::emit::{Declared, Known, Target};
 use crate::projection::Equations;
-use crate::syntax::{Declarations, Name, Quantity};
+use crate::syntax::{Declarations, IndependentEntry, Name, Quantity};
 use proc_macro2::Ident;
 
 /// The user's struct as emission sees it.
@@ -17,7 +17,8 @@ pub fn target(declarations: &Declarations, equations: Option<&Equations>) -> Tar
     let further = declarations.configuration.iter().flat_map(|c| &c.further);
     let quasi = declarations.configuration.iter().flat_map(|c| &c.speeds);
     let free = declarations.velocities.iter().flat_map(|v| &v.further);
-    let names = declarations.coordinates.iter().chain(speeds).chain(further).chain(quasi).chain(free);
+    let combined = declarations.independent.iter().flat_map(|list| list.combinations()).map(|(name, _)| name);
+    let names = declarations.coordinates.iter().chain(speeds).chain(further).chain(quasi).chain(free).chain(combined);
     let names = names.chain(&declarations.inputs);
     let mut declared: Vec<Declared> = names.map(|name| entry(&name.ident, &name.docs)).collect();
     declared.extend(declarations.fields.iter().map(|field| entry(&field.ident, &field.docs)));
@@ -30,6 +31,8 @@ pub fn target(declarations: &Declarations, equations: Option<&Equations>) -> Tar
         generics: declarations.generics.clone(),
         parameters,
         declared,
+        outputs: declarations.outputs.iter().map(|output| entry(&output.name.ident, &output.name.docs)).collect(),
+        defines: declarations.defines.iter().map(|define| define.name.to_string()).collect(),
         functions: declarations.functions.iter().map(|f| f.orders.clone()).collect(),
         krate: declarations.options.krate.clone(),
     }
@@ -72,8 +75,9 @@ pub fn known(declarations: &Declarations) -> Known {
         _ if declarations.velocities.is_some() => {}
         (Some(complement), _) => state.extend(complement.rows.iter().map(|row| row.name.to_string())),
         (None, Some(independent)) => state.extend(independent.entries.iter().map(|entry| match entry {
-            Quantity::Name(name) => name.to_string(),
-            Quantity::Rate(name, _) => rate(&name.to_string()),
+            IndependentEntry::Combination { name, .. } => name.ident.to_string(),
+            IndependentEntry::Speed(Quantity::Name(name)) => name.to_string(),
+            IndependentEntry::Speed(Quantity::Rate(name, _)) => rate(&name.to_string()),
         })),
         (None, None) => state.extend(carriers.iter().cloned()),
     }
@@ -87,6 +91,7 @@ pub fn known(declarations: &Declarations) -> Known {
         velocities,
         multipliers: declarations.constraints.iter().map(|constraint| constraint.name.to_string()).collect(),
         inputs: text(&declarations.inputs),
+        outputs: declarations.outputs.iter().map(|output| output.name.ident.to_string()).collect(),
         parameters: scalars.map(|field| field.ident.to_string()).collect(),
         guards: 0,
         reduced: 0,

@@ -1,6 +1,8 @@
 //! Constraints of every kind in mixtures: what the engine derives against the full equations (2.8), and against
 //! differences of the rows themselves along the motion.
 
+#[path = "kinds/combinations.rs"]
+mod combinations;
 #[path = "kinds/speeds.rs"]
 mod speeds;
 

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 
 use crate::manifold::lift;
 use crate::vector::convert;
-use crate::{ConstrainedSystem, Dual, Error, Prepared, Vector};
+use crate::{ConstrainedSystem, Dual, Error, Level, OutputInfo, Prepared, Vector};
 
 /// A name and the value that it is to have; without one, that of the guess.
 #[derive(Clone, Debug)]
@@ -76,6 +76,14 @@ pub(super) fn sort<M: ConstrainedSystem>(
             let value = wish.value.unwrap_or_else(|| entries(&model.velocities(t, guess))[at]);
             let quantity: Rc<Quantity<M>> = Rc::new(move |model, t, s| entries(&model.velocities(t, s))[at]);
             velocities.push(Meeting { name: M::MODEL.velocities[at], value, quantity });
+        } else if let Some(at) = M::MODEL.outputs.iter().position(|output| output.name == wish.name) {
+            let kind = match holdable(&M::MODEL.outputs[at])? {
+                true => &mut velocities,
+                false => &mut positions,
+            };
+            kind.push(output(model, t, guess, at, wish.value));
+        } else if let Some(define) = M::MODEL.defines.iter().find(|define| **define == wish.name) {
+            return Err(Error::NotAnOutput { define });
         } else {
             return Err(Error::UnknownName { name: wish.name, known: known::<M>().collect() });
         }
@@ -94,11 +102,39 @@ pub(super) fn sort<M: ConstrainedSystem>(
     Ok(Sorted { state, fixed, parameters, positions, velocities })
 }
 
+/// Whether an output asks for speeds.
+fn holdable(output: &OutputInfo) -> Result<bool, Error> {
+    let refused = |on| Err(Error::CannotHold { name: output.name, on });
+    match output.level {
+        Level::Acceleration => refused("accelerations or reactions"),
+        _ if output.inputs => refused("inputs"),
+        level => Ok(level == Level::Velocity),
+    }
+}
+
+/// An output as an equation; without a value, it is to stay as in the guess.
+fn output<M: ConstrainedSystem>(
+    model: &Prepared<M>,
+    t: f64,
+    guess: &M::State<f64>,
+    at: usize,
+    value: Option<f64>,
+) -> Meeting<M> {
+    let value = value.unwrap_or_else(|| entries(&model.outputs(t, guess, &M::Inputs::from_fn(|_| 0.0)))[at]);
+    let quantity: Rc<Quantity<M>> =
+        Rc::new(move |model, t, s| entries(&model.outputs(t, s, &M::Inputs::from_fn(|_| Dual::constant(0.0))))[at]);
+    Meeting { name: M::MODEL.outputs[at].name, value, quantity }
+}
+
 /// All names that can be held, each once.
 fn known<M: ConstrainedSystem>() -> impl Iterator<Item = &'static str> {
     let state = <M::State<f64> as Vector<f64>>::NAMES;
-    let others = M::MODEL.coordinates.iter().chain(M::MODEL.velocities).filter(move |name| !state.contains(name));
-    state.iter().chain(others).copied()
+    let initial = M::MODEL.coordinates.iter().chain(M::MODEL.velocities).filter(move |name| !state.contains(name));
+    let named = |name: &str| {
+        state.contains(&name) || M::MODEL.coordinates.contains(&name) || M::MODEL.velocities.contains(&name)
+    };
+    let outputs = M::MODEL.outputs.iter().map(|output| output.name).filter(move |name| !named(name));
+    state.iter().chain(initial).copied().chain(outputs)
 }
 
 /// Whether a quantity depends on a speed: at the guess, or at others, as a square does not show it at zero.

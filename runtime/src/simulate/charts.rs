@@ -6,7 +6,8 @@ use crate::math::double::sqrt;
 use crate::vector::convert;
 use crate::{ConstrainedSystem, Dual, Error, Matrix, Prepared, Vector};
 
-/// A chart that is steeper than this is left at the end of the step: what is divided by its pivots loses digits.
+/// A chart that is steeper than this is left at the end of the step: what is divided by its pivots loses digits. Where the model
+/// has another that is less than half as steep, that one is entered earlier.
 pub const STEEP: f64 = 2.0;
 
 /// Only a chart that is less steep than this is entered. Between the two a run stays where it is.
@@ -107,6 +108,12 @@ impl<M: ConstrainedSystem> Quality<M> {
         let judged = charts.map(|chart| (chart, self.steepness(model, chart, t, s)));
         let flat = judged.filter(|(_, steepness)| *steepness < FLAT);
         flat.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(chart, _)| chart)
+    }
+
+    /// Whether one of several emitted charts is flat, and flatter than this.
+    pub(super) fn has_flatter(&self, model: &Prepared<M>, t: f64, s: &M::State<f64>, than: f64) -> bool {
+        let charts = M::MODEL.charts.len();
+        charts > 1 && (0..charts).any(|chart| self.steepness(model, chart, t, s) < than.min(FLAT))
     }
 }
 

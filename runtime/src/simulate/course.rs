@@ -4,7 +4,6 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 
 use super::charts::{Chart, Charts, Quality, STEEP};
-use super::check_on_manifold;
 use super::emitted::Emitted;
 use super::equations::{Baumgarte, Equations};
 use super::events::{Event, Events, Verdict};
@@ -13,6 +12,7 @@ use super::general::{General, point};
 use super::guards::{Watch, of_chart};
 use super::inputs::InputSource;
 use super::kernel::{Exit, Plan, Run};
+use super::start::check_on_manifold;
 use super::tableau::Tableau;
 use super::trajectory::{Standing, Trajectory};
 use crate::assemble::check_finite;

@@ -12,11 +12,14 @@ use crate::drift::Drift;
 use crate::manifold::Manifold;
 use crate::{ConstrainedSystem, Error, Prepared, Vector};
 
-/// Where no pivot of the chart has lost more than this factor, the chart is not judged.
-const WATCHED: f64 = 0.5;
+/// Where no pivot of the chart has lost more than this factor, the chart is not compared with others.
+const WATCHED: f64 = 0.8;
+
+/// Where no pivot of the chart has lost more than this factor, the chart is not left for the general one.
+const LOST: f64 = 0.5;
 
 /// An error estimate counts at most so much more near the zero of a pivot.
-const STRICTEST: f64 = 10.0;
+const STRICTEST: f64 = 1000.0;
 
 /// A model in one of its charts, with its inputs, its guards and its way back onto the constraints.
 pub(super) struct Emitted<'r, M: ConstrainedSystem, I> {
@@ -128,14 +131,21 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for Emitted<'_, M, I> {
         let Some(quality) = self.quality else {
             return false;
         };
-        self.watch.margin((*guards).into().as_ref()) < WATCHED
-            && quality.steepness(self.model, self.chart, t, &(*y).into()) > STEEP
+        let margin = self.watch.margin((*guards).into().as_ref());
+        if margin >= WATCHED {
+            return false;
+        }
+        let s = (*y).into();
+        let steepness = quality.steepness(self.model, self.chart, t, &s);
+        margin < LOST && steepness > STEEP || quality.has_flatter(self.model, t, &s, 0.5 * steepness)
     }
 
-    /// The estimates are made of lower orders than the step's own error, which grows faster towards the zero of a pivot.
+    /// The estimates are made of lower orders, five and three, than the step's own error, which grows faster towards the zero of
+    /// a pivot: by about the power of that which they miss.
     fn strictness(&self, guards: &Self::Guards) -> f64 {
         let margin = self.watch.margin((*guards).into().as_ref());
-        (1.0 / (margin * margin)).min(STRICTEST)
+        let square = margin * margin;
+        (1.0 / (square * square)).min(STRICTEST)
     }
 
     fn diagnose(&mut self, (t, next): (f64, f64), y: &Self::Point, broken: &Self::Point) -> Error {

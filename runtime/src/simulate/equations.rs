@@ -248,6 +248,31 @@ impl<M: ConstrainedSystem> Equations<M> {
         Ok(M::Multipliers::from_fn(|i| entries[i]))
     }
 
+    /// The outputs at coordinates and velocities that need no chart; of `s` the speeds are read where v = g(u, x, t) is given.
+    pub(super) fn outputs(
+        &mut self,
+        model: &Prepared<M>,
+        t: f64,
+        s: &M::State<f64>,
+        v: &M::Velocities<f64>,
+        inputs: &M::Inputs<f64>,
+    ) -> Result<M::Outputs<f64>, Error> {
+        let w = self.carriers(model, t, s, v);
+        // Where no output needs them, accelerations and reactions need not exist.
+        let moving = M::MODEL.outputs.iter().any(|output| output.level == Level::Acceleration);
+        let multipliers = match moving {
+            true => self.multipliers(model, t, s, v, inputs)?,
+            false => M::Multipliers::from_fn(|_| f64::NAN),
+        };
+        let rates = M::Carriers::from_fn(|i| if moving { self.rates[i] } else { f64::NAN });
+        let outputs = M::carried_outputs(model.values(), t, s, &w, &rates, &multipliers, inputs);
+        let values = outputs.into();
+        match M::MODEL.outputs.iter().zip(values.as_ref()).find(|(_, value)| !value.is_finite()) {
+            Some((output, _)) => Err(Error::Undefined { output: output.name, divisors: output.divisors, time: t }),
+            None => Ok(outputs),
+        }
+    }
+
     /// The row of C that carries a merged position row, and the factor between them: its gradient is that many times the row.
     fn shared(&self, model: &Prepared<M>, t: f64, s: &M::State<f64>, name: &str) -> Option<(usize, f64)> {
         let position = M::MODEL.position_rows.iter().position(|entry| *entry == name)?;

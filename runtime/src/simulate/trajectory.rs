@@ -244,6 +244,55 @@ impl<M: ConstrainedSystem> Trajectory<M> {
         Equations::new(&self.model)?.multipliers(&self.model, t, &s, &v, inputs)
     }
 
+    /// The outputs at one of the [`times`](Trajectory::times), by the general form where they need accelerations or reactions, so
+    /// that no chart matters; [`Error::Undefined`] where one of them has no finite value.
+    ///
+    /// ```
+    /// # #[cfg(feature = "derive")] fn main() -> Result<(), holonomy::Error> {
+    /// use holonomy::{ConstrainedSystem, State};
+    ///
+    /// /// A pendulum with the tension of its rod.
+    /// #[derive(ConstrainedSystem, Clone)]
+    /// #[coordinates(x, y)]
+    /// #[inertia(diag(m, m))]
+    /// #[forces(0, -m*g)]
+    /// #[constraint(rod: (powi(x, 2) + powi(y, 2) - powi(l, 2))/2 == 0)]
+    /// #[independent(dot(x))]
+    /// #[output(tension = -l*reaction(rod))]
+    /// struct Pendulum {
+    ///     m: f64,
+    ///     l: f64,
+    ///     g: f64,
+    /// }
+    ///
+    /// // Over the top, where the rod is level and ẋ says nothing about ẏ: T = m v²/l − m g y/l.
+    /// let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
+    /// let run = pendulum.simulate(State::<Pendulum> { x: 0.0, y: -0.5, dot_x: 5.5 }).until(2.0)?;
+    /// for (index, (s, v)) in run.states().iter().zip(run.velocities()).enumerate() {
+    ///     let expected = 2.0*(v.dot_x.powi(2) + v.dot_y.powi(2) - 9.81*s.y)/0.5;
+    ///     assert!((run.outputs(index, &[])?.tension - expected).abs() < 1e-9);
+    /// }
+    /// let lowest = run.outputs_at(0.0, &[])?.tension;
+    /// assert!((lowest - 140.62).abs() < 1e-9);
+    /// # Ok(())
+    /// # }
+    /// # #[cfg(not(feature = "derive"))] fn main() {}
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// If there are not so many times.
+    pub fn outputs(&self, index: usize, inputs: &M::Inputs<f64>) -> Result<M::Outputs<f64>, Error> {
+        let (t, s, v) = (self.times[index], &self.states[index], &self.velocities[index]);
+        Equations::new(&self.model)?.outputs(&self.model, t, s, v, inputs)
+    }
+
+    /// The outputs at any time of the run; see [`outputs`](Trajectory::outputs) and [`at`](Trajectory::at).
+    pub fn outputs_at(&self, t: f64, inputs: &M::Inputs<f64>) -> Result<M::Outputs<f64>, Error> {
+        let (s, v) = self.standing(t)?;
+        Equations::new(&self.model)?.outputs(&self.model, t, &s, &v, inputs)
+    }
+
     /// How well the state at one of the [`times`](Trajectory::times) satisfies the constraints.
     ///
     /// ```

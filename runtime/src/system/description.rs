@@ -31,6 +31,10 @@ pub struct Description {
     pub parameters: &'static [&'static str],
     /// The inputs.
     pub inputs: &'static [&'static str],
+    /// The outputs.
+    pub outputs: &'static [OutputInfo],
+    /// The names of the defines. They have values at run time where they are outputs.
+    pub defines: &'static [&'static str],
     /// The rows of C.
     pub rows: &'static [RowInfo],
     /// The rows of f.
@@ -82,7 +86,7 @@ pub struct RowInfo {
     pub redundant: bool,
 }
 
-/// The level at which a constraint binds.
+/// The level at which a constraint binds, or an output depends on the motion.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Level {
     /// f(x, t) = 0.
@@ -102,8 +106,45 @@ pub struct MultiplierInfo {
     pub row: Option<usize>,
 }
 
-/// A figure that tells whether a state, or a set of parameters, is a regular one.
+/// One output.
+///
+/// ```
+/// # #[cfg(feature = "derive")] {
+/// use holonomy::{ConstrainedSystem, Level};
+///
+/// #[derive(ConstrainedSystem, Clone)]
+/// #[coordinates(x, y)]
+/// #[inertia(diag(m, m))]
+/// #[forces(0, -m*g)]
+/// #[constraint(slope: y == x/2)]
+/// #[constraint(drive: dot(x) == a*t)]
+/// #[output(height = y, ratio = reaction(drive)/reaction(slope), steepness = dot(y)/dot(x))]
+/// struct Lift {
+///     m: f64,
+///     g: f64,
+///     a: f64,
+/// }
+///
+/// let [height, ratio, steepness] = Lift::MODEL.outputs else { panic!("three outputs") };
+/// assert_eq!((height.level, ratio.level), (Level::Position, Level::Acceleration));
+/// assert!(!ratio.inputs && steepness.divisors.is_empty());
+/// # }
+/// ```
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct OutputInfo {
+    /// Its name.
+    pub name: &'static str,
+    /// What it depends on: coordinates and time alone, velocities too, or accelerations and reactions.
+    pub level: Level,
+    /// Whether it depends on inputs.
+    pub inputs: bool,
+    /// What it divides by, other than guards and figures that cannot vanish. Where one of them is zero the output is not
+    /// finite; a run does not stop there.
+    pub divisors: &'static [&'static str],
+}
+
+/// A figure that tells whether a state, or a set of parameters, is a regular one.
+#[derive(Copy, Clone, Debug, PartialEq)]
 pub struct GuardInfo {
     /// The expression, as text.
     pub name: &'static str,
@@ -113,6 +154,12 @@ pub struct GuardInfo {
     pub origin: &'static str,
     /// The constraints that it comes from, where it comes from some.
     pub rows: &'static [&'static str],
+    /// Its value at the start that the model names, with the nominal parameters, to three digits: what a figure may be
+    /// compared with. Position constraints are closed there first. `None` where the model does not say enough.
+    ///
+    /// A run compares a guard with the largest magnitude that it had so far, and ends, or leaves the chart, where it has
+    /// changed its sign or is less than [`SINGULAR`](crate::simulate::SINGULAR) of that.
+    pub start: Option<f64>,
 }
 
 /// A choice of independent speeds.
@@ -129,12 +176,19 @@ pub struct GuardInfo {
 /// assert_eq!((across.speeds, along.speeds), (["dot_x"].as_slice(), ["dot_y"].as_slice()));
 /// assert_eq!((across.guards[0].name, along.guards[0].name), ("y", "x"));
 /// ```
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[derive(Copy, Clone, Debug, PartialEq)]
 pub struct ChartInfo {
     /// u of the chart.
     pub speeds: &'static [&'static str],
     /// What the chart divides by.
     pub guards: &'static [GuardInfo],
+    /// The relative pivot of the chart at the start that the model names, to three digits: with the rows C of the constraints
+    /// and u = L v + l0, |det \[C; L\]| over the volumes of the rows of C and of those of L. It is 1 where the independent
+    /// speeds are at right angles to all that the constraints bind, and 0 where they do not determine the others. `None`
+    /// where the model does not say enough, or gives D or v itself.
+    ///
+    /// Choices are made from the declarations alone; a run judges charts again at every step, in the kinetic metric.
+    pub relative_pivot: Option<f64>,
 }
 
 /// What a guard must satisfy.

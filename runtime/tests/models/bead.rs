@@ -37,6 +37,8 @@ impl ConstrainedSystem for Bead {
         velocities: &["dot_x", "dot_y"],
         parameters: &["m", "w", "g"],
         inputs: &[],
+        outputs: &[],
+        defines: &[],
         rows: &[RowInfo { name: "rod", level: Level::Position, linear: true, redundant: false }],
         position_rows: &["rod", "again"],
         multipliers: &[
@@ -44,11 +46,24 @@ impl ConstrainedSystem for Bead {
             MultiplierInfo { name: "again", row: Some(0) },
             MultiplierInfo { name: "nowhere", row: None },
         ],
-        guards: &[GuardInfo { name: "cos(w*t)", kind: GuardKind::Pivot, origin: "pivot of the row `rod`", rows: &["rod"] }],
+        guards: &[GuardInfo {
+            name: "cos(w*t)",
+            kind: GuardKind::Pivot,
+            origin: "pivot of the row `rod`",
+            rows: &["rod"],
+            start: None,
+        }],
         parameter_guards: &[],
         charts: &[ChartInfo {
             speeds: &["dot_x"],
-            guards: &[GuardInfo { name: "cos(w*t)", kind: GuardKind::Pivot, origin: "pivot of the row `rod`", rows: &["rod"] }],
+            guards: &[GuardInfo {
+                name: "cos(w*t)",
+                kind: GuardKind::Pivot,
+                origin: "pivot of the row `rod`",
+                rows: &["rod"],
+                start: None,
+            }],
+            relative_pivot: None,
         }],
         carriers: &["dot_x", "dot_y"],
         notes: &[],
@@ -60,6 +75,7 @@ impl ConstrainedSystem for Bead {
     type Velocities<T: Scalar> = BeadVelocities<T>;
     type Multipliers<T: Scalar> = BeadMultipliers<T>;
     type Inputs<T: Scalar> = [T; 0];
+    type Outputs<T: Scalar> = [T; 0];
     type Coordinates<T: Scalar> = [T; 2];
     type Speeds<T: Scalar> = [T; 1];
     type Reduced<T: Scalar> = [T; 1];
@@ -101,7 +117,12 @@ impl ConstrainedSystem for Bead {
         let bias = Self::complement_bias(p, t, s);
         [-(sin / cos * p.m * (p.g + bias.dot_y))]
     }
-    fn mass_matrix_and_forcing<T: Scalar>(p: &Self::Values<T>, t: T, s: &BeadState<T>, i: &[T; 0]) -> (SMatrix<T, 1, 1>, [T; 1]) {
+    fn mass_matrix_and_forcing<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &BeadState<T>,
+        i: &[T; 0],
+    ) -> (SMatrix<T, 1, 1>, [T; 1]) {
         (Self::mass_matrix(p, t, s), Self::forcing(p, t, s, i))
     }
     fn coordinates<T: Scalar>(_: &Self::Values<T>, _: T, s: &BeadState<T>) -> [T; 2] {
@@ -143,7 +164,13 @@ impl ConstrainedSystem for Bead {
     fn inertia<T: Scalar>(p: &Self::Values<T>, _: T, _: &[T; 2]) -> SMatrix<T, 2, 2> {
         SMatrix::from_fn(|i, j| if i == j { p.m } else { T::default() })
     }
-    fn forces<T: Scalar>(p: &Self::Values<T>, _: T, _: &[T; 2], _: &BeadVelocities<T>, _: &[T; 0]) -> BeadVelocities<T> {
+    fn forces<T: Scalar>(
+        p: &Self::Values<T>,
+        _: T,
+        _: &[T; 2],
+        _: &BeadVelocities<T>,
+        _: &[T; 0],
+    ) -> BeadVelocities<T> {
         BeadVelocities { dot_x: T::default(), dot_y: -(p.m * p.g) }
     }
     fn constraint_matrix<T: Scalar>(p: &Self::Values<T>, t: T, _: &[T; 2], _: &BeadVelocities<T>) -> SMatrix<T, 1, 2> {

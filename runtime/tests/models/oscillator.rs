@@ -35,14 +35,35 @@ impl ConstrainedSystem for Oscillator {
         velocities: &["dot_x"],
         parameters: &["m", "a", "k", "c", "b"],
         inputs: &["tau"],
+        outputs: &[],
+        defines: &[],
         rows: &[],
         position_rows: &[],
         multipliers: &[],
-        guards: &[GuardInfo { name: "m*(1 + a*x)", kind: GuardKind::Positive, origin: "pivot of M_d", rows: &[] }],
-        parameter_guards: &[GuardInfo { name: "m", kind: GuardKind::Pivot, origin: "divided by", rows: &[] }],
+        guards: &[GuardInfo {
+            name: "m*(1 + a*x)",
+            kind: GuardKind::Positive,
+            origin: "pivot of M_d",
+            rows: &[],
+            start: None,
+        }],
+        parameter_guards: &[GuardInfo {
+            name: "m",
+            kind: GuardKind::Pivot,
+            origin: "divided by",
+            rows: &[],
+            start: None,
+        }],
         charts: &[ChartInfo {
             speeds: &["dot_x"],
-            guards: &[GuardInfo { name: "m*(1 + a*x)", kind: GuardKind::Positive, origin: "pivot of M_d", rows: &[] }],
+            guards: &[GuardInfo {
+                name: "m*(1 + a*x)",
+                kind: GuardKind::Positive,
+                origin: "pivot of M_d",
+                rows: &[],
+                start: None,
+            }],
+            relative_pivot: None,
         }],
         carriers: &["dot_x"],
         notes: &[],
@@ -54,6 +75,7 @@ impl ConstrainedSystem for Oscillator {
     type Velocities<T: Scalar> = OscillatorVelocities<T>;
     type Multipliers<T: Scalar> = [T; 0];
     type Inputs<T: Scalar> = OscillatorInputs<T>;
+    type Outputs<T: Scalar> = [T; 0];
     type Coordinates<T: Scalar> = [T; 1];
     type Speeds<T: Scalar> = [T; 1];
     type Reduced<T: Scalar> = [T; 1];
@@ -78,7 +100,12 @@ impl ConstrainedSystem for Oscillator {
         holonomy::__private::check_parameter_guards(Self::MODEL.parameter_guards, &[p.m])?;
         Ok(*p)
     }
-    fn derivative<T: Scalar>(p: &Self::Values<T>, t: T, s: &OscillatorState<T>, i: &OscillatorInputs<T>) -> (OscillatorState<T>, [T; 1]) {
+    fn derivative<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &OscillatorState<T>,
+        i: &OscillatorInputs<T>,
+    ) -> (OscillatorState<T>, [T; 1]) {
         let [rate] = Self::accelerations(p, t, s, i);
         (OscillatorState { x: s.dot_x, dot_x: rate }, Self::guards(p, t, s))
     }
@@ -92,7 +119,12 @@ impl ConstrainedSystem for Oscillator {
     fn forcing<T: Scalar>(p: &Self::Values<T>, t: T, s: &OscillatorState<T>, i: &OscillatorInputs<T>) -> [T; 1] {
         [Self::forces(p, t, &[s.x], &OscillatorVelocities { dot_x: s.dot_x }, i).dot_x]
     }
-    fn mass_matrix_and_forcing<T: Scalar>(p: &Self::Values<T>, t: T, s: &OscillatorState<T>, i: &OscillatorInputs<T>) -> (SMatrix<T, 1, 1>, [T; 1]) {
+    fn mass_matrix_and_forcing<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &OscillatorState<T>,
+        i: &OscillatorInputs<T>,
+    ) -> (SMatrix<T, 1, 1>, [T; 1]) {
         (Self::mass_matrix(p, t, s), Self::forcing(p, t, s, i))
     }
     fn coordinates<T: Scalar>(_: &Self::Values<T>, _: T, s: &OscillatorState<T>) -> [T; 1] {
@@ -107,7 +139,12 @@ impl ConstrainedSystem for Oscillator {
     fn complement_bias<T: Scalar>(_: &Self::Values<T>, _: T, _: &OscillatorState<T>) -> OscillatorVelocities<T> {
         OscillatorVelocities::default()
     }
-    fn velocity_rates<T: Scalar>(p: &Self::Values<T>, t: T, s: &OscillatorState<T>, i: &OscillatorInputs<T>) -> OscillatorVelocities<T> {
+    fn velocity_rates<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &OscillatorState<T>,
+        i: &OscillatorInputs<T>,
+    ) -> OscillatorVelocities<T> {
         let [dot_x] = Self::accelerations(p, t, s, i);
         OscillatorVelocities { dot_x }
     }
@@ -126,10 +163,21 @@ impl ConstrainedSystem for Oscillator {
     fn inertia<T: Scalar>(p: &Self::Values<T>, _: T, x: &[T; 1]) -> SMatrix<T, 1, 1> {
         SMatrix::from_fn(|_, _| p.m * (T::from_f64(1.0) + p.a * x[0]))
     }
-    fn forces<T: Scalar>(p: &Self::Values<T>, t: T, x: &[T; 1], _: &OscillatorVelocities<T>, i: &OscillatorInputs<T>) -> OscillatorVelocities<T> {
+    fn forces<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        x: &[T; 1],
+        _: &OscillatorVelocities<T>,
+        i: &OscillatorInputs<T>,
+    ) -> OscillatorVelocities<T> {
         OscillatorVelocities { dot_x: p.b * t.sin_cos().0 + i.tau - x[0] * (p.k + p.c * x[0] * x[0]) }
     }
-    fn constraint_matrix<T: Scalar>(_: &Self::Values<T>, _: T, _: &[T; 1], _: &OscillatorVelocities<T>) -> SMatrix<T, 0, 1> {
+    fn constraint_matrix<T: Scalar>(
+        _: &Self::Values<T>,
+        _: T,
+        _: &[T; 1],
+        _: &OscillatorVelocities<T>,
+    ) -> SMatrix<T, 0, 1> {
         SMatrix::from_fn(|_, _| T::default())
     }
     fn constraint_bias<T: Scalar>(_: &Self::Values<T>, _: T, _: &[T; 1], _: &OscillatorVelocities<T>) -> [T; 0] {
@@ -148,13 +196,24 @@ impl ConstrainedSystem for Oscillator {
         let square = x[0] * x[0];
         Some(T::from_f64(0.5) * p.k * square + T::from_f64(0.25) * p.c * square * square)
     }
-    fn carried_velocities<T: Scalar>(_: &Self::Values<T>, _: T, _: &OscillatorState<T>, w: &[T; 1]) -> OscillatorVelocities<T> {
+    fn carried_velocities<T: Scalar>(
+        _: &Self::Values<T>,
+        _: T,
+        _: &OscillatorState<T>,
+        w: &[T; 1],
+    ) -> OscillatorVelocities<T> {
         OscillatorVelocities { dot_x: w[0] }
     }
     fn carried_rates<T: Scalar>(_: &Self::Values<T>, _: T, _: &OscillatorState<T>, w: &[T; 1]) -> [T; 1] {
         *w
     }
-    fn chart_speeds<T: Scalar>(_: usize, _: &Self::Values<T>, _: T, _: &OscillatorState<T>, v: &OscillatorVelocities<T>) -> [T; 1] {
+    fn chart_speeds<T: Scalar>(
+        _: usize,
+        _: &Self::Values<T>,
+        _: T,
+        _: &OscillatorState<T>,
+        v: &OscillatorVelocities<T>,
+    ) -> [T; 1] {
         [v.dot_x]
     }
 }

@@ -4,7 +4,8 @@
 
 use holonomy::__private::SMatrix;
 use holonomy::{
-    ChartInfo, ConstrainedSystem, Description, Error, GuardInfo, GuardKind, Level, MultiplierInfo, RowInfo, Scalar, Vector,
+    ChartInfo, ConstrainedSystem, Description, Error, GuardInfo, GuardKind, Level, MultiplierInfo, RowInfo, Scalar,
+    Vector,
 };
 
 /// A struct of scalars with names, as the derive emits them.
@@ -59,19 +60,47 @@ impl ConstrainedSystem for Pendulum {
         velocities: &["dot_x", "dot_y"],
         parameters: &["m", "l", "g"],
         inputs: &[],
+        outputs: &[],
+        defines: &[],
         rows: &[RowInfo { name: "rod", level: Level::Position, linear: true, redundant: false }],
         position_rows: &["rod"],
         multipliers: &[MultiplierInfo { name: "rod", row: Some(0) }],
-        guards: &[GuardInfo { name: "y", kind: GuardKind::Pivot, origin: "pivot of the row `rod`", rows: &["rod"] }],
-        parameter_guards: &[GuardInfo { name: "m", kind: GuardKind::Positive, origin: "pivot of M", rows: &[] }],
+        guards: &[GuardInfo {
+            name: "y",
+            kind: GuardKind::Pivot,
+            origin: "pivot of the row `rod`",
+            rows: &["rod"],
+            start: None,
+        }],
+        parameter_guards: &[GuardInfo {
+            name: "m",
+            kind: GuardKind::Positive,
+            origin: "pivot of M",
+            rows: &[],
+            start: None,
+        }],
         charts: &[
             ChartInfo {
                 speeds: &["dot_x"],
-                guards: &[GuardInfo { name: "y", kind: GuardKind::Pivot, origin: "pivot of the row `rod`", rows: &["rod"] }],
+                guards: &[GuardInfo {
+                    name: "y",
+                    kind: GuardKind::Pivot,
+                    origin: "pivot of the row `rod`",
+                    rows: &["rod"],
+                    start: None,
+                }],
+                relative_pivot: None,
             },
             ChartInfo {
                 speeds: &["dot_y"],
-                guards: &[GuardInfo { name: "x", kind: GuardKind::Pivot, origin: "pivot of the row `rod`", rows: &["rod"] }],
+                guards: &[GuardInfo {
+                    name: "x",
+                    kind: GuardKind::Pivot,
+                    origin: "pivot of the row `rod`",
+                    rows: &["rod"],
+                    start: None,
+                }],
+                relative_pivot: None,
             },
         ],
         carriers: &["dot_x", "dot_y"],
@@ -84,6 +113,7 @@ impl ConstrainedSystem for Pendulum {
     type Velocities<T: Scalar> = PendulumVelocities<T>;
     type Multipliers<T: Scalar> = PendulumMultipliers<T>;
     type Inputs<T: Scalar> = [T; 0];
+    type Outputs<T: Scalar> = [T; 0];
     type Coordinates<T: Scalar> = [T; 2];
     type Speeds<T: Scalar> = [T; 1];
     type Reduced<T: Scalar> = [T; 1];
@@ -108,7 +138,12 @@ impl ConstrainedSystem for Pendulum {
         holonomy::__private::check_parameter_guards(Self::MODEL.parameter_guards, &[p.m])?;
         Ok(*p)
     }
-    fn derivative<T: Scalar>(p: &Self::Values<T>, t: T, s: &PendulumState<T>, i: &[T; 0]) -> (PendulumState<T>, [T; 1]) {
+    fn derivative<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &PendulumState<T>,
+        i: &[T; 0],
+    ) -> (PendulumState<T>, [T; 1]) {
         let v = Self::velocities(p, t, s);
         let [dot_u] = Self::accelerations(p, t, s, i);
         (PendulumState { x: v.dot_x, y: v.dot_y, dot_x: dot_u }, [s.y])
@@ -125,7 +160,12 @@ impl ConstrainedSystem for Pendulum {
         let bias = Self::complement_bias(p, t, s);
         [s.x / s.y * p.m * (p.g + bias.dot_y)]
     }
-    fn mass_matrix_and_forcing<T: Scalar>(p: &Self::Values<T>, t: T, s: &PendulumState<T>, i: &[T; 0]) -> (SMatrix<T, 1, 1>, [T; 1]) {
+    fn mass_matrix_and_forcing<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &PendulumState<T>,
+        i: &[T; 0],
+    ) -> (SMatrix<T, 1, 1>, [T; 1]) {
         (Self::mass_matrix(p, t, s), Self::forcing(p, t, s, i))
     }
     fn coordinates<T: Scalar>(_: &Self::Values<T>, _: T, s: &PendulumState<T>) -> [T; 2] {
@@ -162,10 +202,21 @@ impl ConstrainedSystem for Pendulum {
     fn inertia<T: Scalar>(p: &Self::Values<T>, _: T, _: &[T; 2]) -> SMatrix<T, 2, 2> {
         SMatrix::from_fn(|i, j| if i == j { p.m } else { T::default() })
     }
-    fn forces<T: Scalar>(p: &Self::Values<T>, _: T, _: &[T; 2], _: &PendulumVelocities<T>, _: &[T; 0]) -> PendulumVelocities<T> {
+    fn forces<T: Scalar>(
+        p: &Self::Values<T>,
+        _: T,
+        _: &[T; 2],
+        _: &PendulumVelocities<T>,
+        _: &[T; 0],
+    ) -> PendulumVelocities<T> {
         PendulumVelocities { dot_x: T::default(), dot_y: -(p.m * p.g) }
     }
-    fn constraint_matrix<T: Scalar>(_: &Self::Values<T>, _: T, x: &[T; 2], _: &PendulumVelocities<T>) -> SMatrix<T, 1, 2> {
+    fn constraint_matrix<T: Scalar>(
+        _: &Self::Values<T>,
+        _: T,
+        x: &[T; 2],
+        _: &PendulumVelocities<T>,
+    ) -> SMatrix<T, 1, 2> {
         SMatrix::from_fn(|_, j| x[j])
     }
     fn constraint_bias<T: Scalar>(_: &Self::Values<T>, _: T, _: &[T; 2], v: &PendulumVelocities<T>) -> [T; 1] {
@@ -183,16 +234,33 @@ impl ConstrainedSystem for Pendulum {
     fn potential_energy<T: Scalar>(p: &Self::Values<T>, _: T, x: &[T; 2]) -> Option<T> {
         Some(p.m * p.g * x[1])
     }
-    fn carried_velocities<T: Scalar>(_: &Self::Values<T>, _: T, _: &PendulumState<T>, w: &[T; 2]) -> PendulumVelocities<T> {
+    fn carried_velocities<T: Scalar>(
+        _: &Self::Values<T>,
+        _: T,
+        _: &PendulumState<T>,
+        w: &[T; 2],
+    ) -> PendulumVelocities<T> {
         PendulumVelocities { dot_x: w[0], dot_y: w[1] }
     }
     fn carried_rates<T: Scalar>(_: &Self::Values<T>, _: T, _: &PendulumState<T>, w: &[T; 2]) -> [T; 2] {
         *w
     }
-    fn chart_speeds<T: Scalar>(chart: usize, _: &Self::Values<T>, _: T, _: &PendulumState<T>, v: &PendulumVelocities<T>) -> [T; 1] {
+    fn chart_speeds<T: Scalar>(
+        chart: usize,
+        _: &Self::Values<T>,
+        _: T,
+        _: &PendulumState<T>,
+        v: &PendulumVelocities<T>,
+    ) -> [T; 1] {
         [if chart == 1 { v.dot_y } else { v.dot_x }]
     }
-    fn chart_derivative<T: Scalar>(chart: usize, p: &Self::Values<T>, t: T, s: &PendulumState<T>, i: &[T; 0]) -> (PendulumState<T>, [T; 1]) {
+    fn chart_derivative<T: Scalar>(
+        chart: usize,
+        p: &Self::Values<T>,
+        t: T,
+        s: &PendulumState<T>,
+        i: &[T; 0],
+    ) -> (PendulumState<T>, [T; 1]) {
         if chart != 1 {
             return Self::derivative(p, t, s, i);
         }
@@ -203,7 +271,12 @@ impl ConstrainedSystem for Pendulum {
         let rate = (slope * bias - p.g) / (T::from_f64(1.0) + slope * slope);
         (PendulumState { x: v.dot_x, y: v.dot_y, dot_x: rate }, [s.x])
     }
-    fn chart_velocities<T: Scalar>(chart: usize, p: &Self::Values<T>, t: T, s: &PendulumState<T>) -> PendulumVelocities<T> {
+    fn chart_velocities<T: Scalar>(
+        chart: usize,
+        p: &Self::Values<T>,
+        t: T,
+        s: &PendulumState<T>,
+    ) -> PendulumVelocities<T> {
         if chart != 1 {
             return Self::velocities(p, t, s);
         }

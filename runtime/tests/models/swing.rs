@@ -20,10 +20,23 @@ impl ConstrainedSystem for Swing {
         state_coordinates: &["alpha"],
         state_speeds: &["dot_alpha"],
         reduced_speeds: &["dot_alpha"],
-        guards: &[GuardInfo { name: "m*l*l", kind: GuardKind::Positive, origin: "pivot of M_d", rows: &[] }],
+        guards: &[GuardInfo {
+            name: "m*l*l",
+            kind: GuardKind::Positive,
+            origin: "pivot of M_d",
+            rows: &[],
+            start: None,
+        }],
         charts: &[ChartInfo {
             speeds: &["dot_alpha"],
-            guards: &[GuardInfo { name: "m*l*l", kind: GuardKind::Positive, origin: "pivot of M_d", rows: &[] }],
+            guards: &[GuardInfo {
+                name: "m*l*l",
+                kind: GuardKind::Positive,
+                origin: "pivot of M_d",
+                rows: &[],
+                start: None,
+            }],
+            relative_pivot: None,
         }],
         carriers: &["dot_alpha"],
         ..*Pendulum::MODEL
@@ -33,6 +46,7 @@ impl ConstrainedSystem for Swing {
     type Velocities<T: Scalar> = PendulumVelocities<T>;
     type Multipliers<T: Scalar> = PendulumMultipliers<T>;
     type Inputs<T: Scalar> = [T; 0];
+    type Outputs<T: Scalar> = [T; 0];
     type Coordinates<T: Scalar> = [T; 2];
     type Speeds<T: Scalar> = [T; 1];
     type Reduced<T: Scalar> = [T; 1];
@@ -69,7 +83,12 @@ impl ConstrainedSystem for Swing {
     fn forcing<T: Scalar>(p: &Self::Values<T>, _: T, s: &SwingState<T>, _: &[T; 0]) -> [T; 1] {
         [-(p.m * p.g * p.l * s.alpha.sin_cos().0)]
     }
-    fn mass_matrix_and_forcing<T: Scalar>(p: &Self::Values<T>, t: T, s: &SwingState<T>, i: &[T; 0]) -> (SMatrix<T, 1, 1>, [T; 1]) {
+    fn mass_matrix_and_forcing<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &SwingState<T>,
+        i: &[T; 0],
+    ) -> (SMatrix<T, 1, 1>, [T; 1]) {
         (Self::mass_matrix(p, t, s), Self::forcing(p, t, s, i))
     }
     fn coordinates<T: Scalar>(p: &Self::Values<T>, _: T, s: &SwingState<T>) -> [T; 2] {
@@ -109,10 +128,21 @@ impl ConstrainedSystem for Swing {
     fn inertia<T: Scalar>(p: &Self::Values<T>, t: T, x: &[T; 2]) -> SMatrix<T, 2, 2> {
         Pendulum::inertia(p, t, x)
     }
-    fn forces<T: Scalar>(p: &Self::Values<T>, t: T, x: &[T; 2], v: &PendulumVelocities<T>, i: &[T; 0]) -> PendulumVelocities<T> {
+    fn forces<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        x: &[T; 2],
+        v: &PendulumVelocities<T>,
+        i: &[T; 0],
+    ) -> PendulumVelocities<T> {
         Pendulum::forces(p, t, x, v, i)
     }
-    fn constraint_matrix<T: Scalar>(p: &Self::Values<T>, t: T, x: &[T; 2], v: &PendulumVelocities<T>) -> SMatrix<T, 1, 2> {
+    fn constraint_matrix<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        x: &[T; 2],
+        v: &PendulumVelocities<T>,
+    ) -> SMatrix<T, 1, 2> {
         Pendulum::constraint_matrix(p, t, x, v)
     }
     fn constraint_bias<T: Scalar>(p: &Self::Values<T>, t: T, x: &[T; 2], v: &PendulumVelocities<T>) -> [T; 1] {
@@ -130,13 +160,24 @@ impl ConstrainedSystem for Swing {
     fn potential_energy<T: Scalar>(p: &Self::Values<T>, t: T, x: &[T; 2]) -> Option<T> {
         Pendulum::potential_energy(p, t, x)
     }
-    fn carried_velocities<T: Scalar>(p: &Self::Values<T>, t: T, s: &SwingState<T>, w: &[T; 1]) -> PendulumVelocities<T> {
+    fn carried_velocities<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        s: &SwingState<T>,
+        w: &[T; 1],
+    ) -> PendulumVelocities<T> {
         Self::velocities(p, t, &SwingState { alpha: s.alpha, dot_alpha: w[0] })
     }
     fn carried_rates<T: Scalar>(_: &Self::Values<T>, _: T, _: &SwingState<T>, w: &[T; 1]) -> [T; 1] {
         *w
     }
-    fn chart_speeds<T: Scalar>(_: usize, p: &Self::Values<T>, _: T, s: &SwingState<T>, v: &PendulumVelocities<T>) -> [T; 1] {
+    fn chart_speeds<T: Scalar>(
+        _: usize,
+        p: &Self::Values<T>,
+        _: T,
+        s: &SwingState<T>,
+        v: &PendulumVelocities<T>,
+    ) -> [T; 1] {
         let (sin, cos) = s.alpha.sin_cos();
         [(cos * v.dot_x + sin * v.dot_y) / p.l]
     }

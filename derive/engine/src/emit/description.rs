@@ -3,7 +3,7 @@
 use super::shape::Types;
 use super::target::Target;
 use crate::program::{Count, Programs};
-use crate::projection::{Equations, Guard, GuardKind, Level};
+use crate::projection::{Equations, Guard, GuardKind, Level, OutputFacts};
 use crate::symbolic::{Expr, Matrix};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -51,7 +51,8 @@ impl Collector<'_> {
 impl Texts {
     /// All equations of the model.
     pub fn new(e: &Equations) -> Self {
-        let roots: Vec<Expr> = crate::program::entry::entries(e).iter().flat_map(|entry| entry.roots()).collect();
+        let mut roots: Vec<Expr> = crate::program::entry::entries(e).iter().flat_map(|entry| entry.roots()).collect();
+        roots.extend(e.chart_speeds.iter().flatten().filter(|_| e.combined));
         let texts = roots.iter().copied().zip(e.graph.display_all(&roots)).collect();
         let mut c = Collector { equations: e, texts, lines: Vec::new() };
         let configured = e.state_coordinates != e.coordinates;
@@ -66,6 +67,10 @@ impl Texts {
         c.list("forcing", "h_u*", number("(4.10)", "(5.6)"), &e.forcing);
         if configured {
             c.each("coordinates", "(4.2)", names(&e.coordinates), &e.initial_coordinates);
+        }
+        if e.combined {
+            // What the names of combinations stand for.
+            c.each("chart_0_speeds", "(5.2)", names(&e.state_speeds), &e.chart_speeds[0]);
         }
         c.each("velocities", number("(4.4)", "(5.3)"), names(&e.speeds), &e.velocities);
         c.matrix("complement", "D", number("(4.9)", "(3.1)"), &e.complement);
@@ -86,6 +91,7 @@ impl Texts {
         c.each("kinetic_energy", "", vec!["T".to_owned()], &[e.kinetic_energy]);
         let potential: Vec<Expr> = e.potential_energy.into_iter().collect();
         c.each("potential_energy", "", vec!["V".to_owned()], &potential);
+        c.each("outputs", "", e.outputs.names.clone(), &e.outputs.values);
         Texts { lines: c.lines }
     }
 
@@ -108,11 +114,7 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
     let (q, u) = known.state.split_at(known.state_coordinates);
     let (x, v, parameters, inputs) = (&known.coordinates, &known.velocities, &known.parameters, &known.inputs);
     let rows = e.rows.iter().map(|row| {
-        let level = match row.level {
-            Level::Position => quote!(Position),
-            Level::Velocity => quote!(Velocity),
-            Level::Acceleration => quote!(Acceleration),
-        };
+        let level = level(row.level);
         let (name, linear, redundant) = (&row.name, row.linear, row.redundant);
         quote! {
             #krate::RowInfo { name: #name, level: #krate::Level::#level, linear: #linear, redundant: #redundant }
@@ -130,11 +132,12 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
         quote!(#krate::MultiplierInfo { name: #name, row: #row })
     });
     let guards: Vec<TokenStream> = e.guards.iter().map(|g| guard(target, g)).collect();
-    let first = chart(target, u, &guards);
-    let charts = e.charts.iter().map(|further| {
+    let pivot = |at: usize| e.relative_pivots.get(at).copied().flatten();
+    let first = chart(target, u, &guards, pivot(0));
+    let charts = e.charts.iter().enumerate().map(|(at, further)| {
         let speeds: Vec<&str> = further.speeds.iter().map(|s| e.graph.name(*s)).collect();
         let guards: Vec<TokenStream> = further.guards.iter().map(|g| guard(target, g)).collect();
-        chart(target, &speeds, &guards)
+        chart(target, &speeds, &guards, pivot(at + 1))
     });
     let carriers = &known.carriers;
     let parameter_guards = programs.values.guards.iter().map(|g| guard(target, g));
@@ -149,6 +152,8 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
         .map(|p| (p.entry.name.as_str(), &p.count))
         .chain([("values", &programs.values.count)]);
     let costs = costs.map(|(name, count)| cost(target, name, count));
+    let outputs = e.outputs.names.iter().zip(e.output_facts()).map(|(name, facts)| output(target, name, &facts));
+    let defines = &target.defines;
     let positions = &e.position_names;
     let notes = &e.notes;
     let name = target.ident.to_string();
@@ -162,6 +167,8 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
             velocities: &[#(#v),*],
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
+            outputs: &[#(#outputs),*],
+            defines: &[#(#defines),*],
             rows: &[#(#rows),*],
             position_rows: &[#(#positions),*],
             multipliers: &[#(#multipliers),*],
@@ -173,6 +180,22 @@ pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &P
             equations: &[#(#lines),*],
             operations: &[#(#costs),*],
         }
+    }
+}
+
+fn level(level: Level) -> TokenStream {
+    match level {
+        Level::Position => quote!(Position),
+        Level::Velocity => quote!(Velocity),
+        Level::Acceleration => quote!(Acceleration),
+    }
+}
+
+fn output(target: &Target, name: &str, facts: &OutputFacts) -> TokenStream {
+    let krate = &target.krate;
+    let (level, inputs, divisors) = (level(facts.level), facts.inputs, &facts.divisors);
+    quote! {
+        #krate::OutputInfo { name: #name, level: #krate::Level::#level, inputs: #inputs, divisors: &[#(#divisors),*] }
     }
 }
 
@@ -193,6 +216,8 @@ pub fn bare(target: &Target, types: &Types) -> TokenStream {
             velocities: &[#(#v),*],
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
+            outputs: &[],
+            defines: &[],
             rows: &[],
             position_rows: &[],
             multipliers: &[],
@@ -207,10 +232,22 @@ pub fn bare(target: &Target, types: &Types) -> TokenStream {
     }
 }
 
-fn chart<S: AsRef<str>>(target: &Target, speeds: &[S], guards: &[TokenStream]) -> TokenStream {
+fn chart<S: AsRef<str>>(target: &Target, speeds: &[S], guards: &[TokenStream], pivot: Option<f64>) -> TokenStream {
     let krate = &target.krate;
     let speeds = speeds.iter().map(AsRef::as_ref);
-    quote!(#krate::ChartInfo { speeds: &[#(#speeds),*], guards: &[#(#guards),*] })
+    let pivot = figure(pivot);
+    quote!(#krate::ChartInfo { speeds: &[#(#speeds),*], guards: &[#(#guards),*], relative_pivot: #pivot })
+}
+
+/// A number that may not be known.
+fn figure(value: Option<f64>) -> TokenStream {
+    match value {
+        Some(value) => {
+            let (sign, size) = ((value < 0.0).then(|| quote!(-)), Literal::f64_unsuffixed(value.abs()));
+            quote!(::core::option::Option::Some(#sign #size))
+        }
+        None => quote!(::core::option::Option::None),
+    }
 }
 
 fn guard(target: &Target, guard: &Guard) -> TokenStream {
@@ -220,7 +257,16 @@ fn guard(target: &Target, guard: &Guard) -> TokenStream {
         GuardKind::Pivot => quote!(Pivot),
         GuardKind::Positive => quote!(Positive),
     };
-    quote!(#krate::GuardInfo { name: #name, kind: #krate::GuardKind::#kind, origin: #origin, rows: &[#(#rows),*] })
+    let start = figure(guard.start);
+    quote! {
+        #krate::GuardInfo {
+            name: #name,
+            kind: #krate::GuardKind::#kind,
+            origin: #origin,
+            rows: &[#(#rows),*],
+            start: #start,
+        }
+    }
 }
 
 fn cost(target: &Target, function: &str, count: &Count) -> TokenStream {

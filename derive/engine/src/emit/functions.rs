@@ -34,6 +34,11 @@ fn arguments(target: &Target, types: &Types, arguments: Arguments) -> Vec<(Ident
         Arguments::StateInputs | Arguments::ChartInputs(_) => vec![state(), inputs()],
         Arguments::StateVelocities => vec![state(), velocities()],
         Arguments::StateCarriers => vec![state(), carriers()],
+        Arguments::StateCarriersRates => {
+            let rates = (name("dw"), carriers().1);
+            let multipliers = (name("lambda"), types.of(target, &types.multipliers, &t));
+            vec![state(), carriers(), rates, multipliers, inputs()]
+        }
         Arguments::Coordinates => vec![coordinates()],
         Arguments::CoordinatesVelocities => vec![coordinates(), velocities()],
         Arguments::CoordinatesVelocitiesInputs => vec![coordinates(), velocities(), inputs()],
@@ -101,6 +106,7 @@ pub fn function(target: &Target, types: &Types, programs: &Programs, program: &P
                 Shape::State => Some(&types.state),
                 Shape::Velocities => Some(&types.velocities),
                 Shape::Multipliers => Some(&types.multipliers),
+                Shape::Outputs => Some(&types.outputs),
                 _ => None,
             };
             let name = record.map(|r| target.type_name(r.suffix).to_string()).unwrap_or_default();

@@ -8,6 +8,9 @@ use crate::projection::Equations;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
+/// The suffix of the struct of outputs, whose names are a namespace of their own.
+pub const OUTPUTS: &str = "Outputs";
+
 /// What is known of a model: all of it, or as much as a model with errors tells.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Known {
@@ -23,6 +26,8 @@ pub struct Known {
     pub multipliers: Vec<String>,
     /// Inputs.
     pub inputs: Vec<String>,
+    /// Outputs.
+    pub outputs: Vec<String>,
     /// Parameters.
     pub parameters: Vec<String>,
     /// How many guards.
@@ -56,6 +61,7 @@ impl Known {
             velocities: names(&equations.speeds),
             multipliers: equations.multiplier_names.clone(),
             inputs: names(&equations.inputs),
+            outputs: equations.outputs.names.clone(),
             parameters: names(&equations.parameters),
             guards: equations.guards.len(),
             reduced: equations.reduced_speeds.len(),
@@ -95,6 +101,8 @@ pub struct Types {
     pub multipliers: Record,
     /// The inputs.
     pub inputs: Record,
+    /// The outputs.
+    pub outputs: Record,
     /// The prepared values.
     pub values: Record,
     /// The scalar's name.
@@ -118,6 +126,7 @@ impl Types {
             velocities: record("Velocities", &known.velocities),
             multipliers: record("Multipliers", &known.multipliers),
             inputs: record("Inputs", &known.inputs),
+            outputs: record(OUTPUTS, &known.outputs),
             parameters,
             values,
             known,
@@ -143,6 +152,7 @@ impl Types {
             Shape::State => self.of(target, &self.state, &t),
             Shape::Velocities => self.of(target, &self.velocities, &t),
             Shape::Multipliers => self.of(target, &self.multipliers, &t),
+            Shape::Outputs => self.of(target, &self.outputs, &t),
             Shape::Array(n) => {
                 let n = Literal::usize_unsuffixed(n);
                 quote!([#t; #n])
@@ -160,7 +170,11 @@ impl Types {
 impl Record {
     /// The fields as identifiers, with the user's spans where the names are the user's.
     pub fn idents(&self, target: &Target) -> Vec<Ident> {
-        let span = |name: &String| target.declared(name).map_or_else(Span::call_site, |d| d.span);
+        let declared = |name: &str| match self.suffix {
+            OUTPUTS => target.output(name),
+            _ => target.declared(name),
+        };
+        let span = |name: &String| declared(name).map_or_else(Span::call_site, |d| d.span);
         self.fields.iter().zip(&self.names).map(|(field, name)| ident(field, span(name))).collect()
     }
 }

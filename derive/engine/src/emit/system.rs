@@ -134,6 +134,7 @@ fn block(target: &Target, types: &Types, model: &TokenStream, functions: &TokenS
     let of = |record| types.of(target, record, &t);
     let (state, parameters, velocities) = (of(&types.state), of(&types.parameters), of(&types.velocities));
     let (multipliers, inputs, values) = (of(&types.multipliers), of(&types.inputs), of(&types.values));
+    let outputs = of(&types.outputs);
     let array = |n: usize| {
         let n = Literal::usize_unsuffixed(n);
         quote!([#t; #n])
@@ -159,6 +160,7 @@ fn block(target: &Target, types: &Types, model: &TokenStream, functions: &TokenS
             type Velocities<#t: #krate::Scalar> = #velocities;
             type Multipliers<#t: #krate::Scalar> = #multipliers;
             type Inputs<#t: #krate::Scalar> = #inputs;
+            type Outputs<#t: #krate::Scalar> = #outputs;
             type Coordinates<#t: #krate::Scalar> = #coordinates;
             type Speeds<#t: #krate::Scalar> = #speeds;
             type Reduced<#t: #krate::Scalar> = #reduced;

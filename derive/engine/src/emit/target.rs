@@ -28,6 +28,10 @@ pub struct Target {
     pub parameters: Vec<TokenStream>,
     /// Coordinates, speeds, inputs and parameters as they were declared, for spans and docs.
     pub declared: Vec<Declared>,
+    /// Outputs as they were declared.
+    pub outputs: Vec<Declared>,
+    /// The names of defines.
+    pub defines: Vec<String>,
     /// The paths of the user's functions, each with its derivatives.
     pub functions: Vec<Vec<syn::Path>>,
     /// The runtime crate, `::holonomy` unless renamed.
@@ -38,6 +42,11 @@ impl Target {
     /// The declaration of a name.
     pub fn declared(&self, name: &str) -> Option<&Declared> {
         self.declared.iter().find(|d| d.name == name)
+    }
+
+    /// The declaration of an output.
+    pub fn output(&self, name: &str) -> Option<&Declared> {
+        self.outputs.iter().find(|d| d.name == name)
     }
 
     /// The name of an emitted type: `RollingDiskState`.

@@ -24,6 +24,8 @@ fn target(text: &str, equations: &Equations) -> Target {
             })
             .collect(),
         declared: Vec::new(),
+        outputs: Vec::new(),
+        defines: Vec::new(),
         functions: Vec::new(),
         krate: syn::parse_quote!(::holonomy),
     }
@@ -142,14 +144,14 @@ fn a_model_with_errors_has_all_types() {
     for known in [Known::of(&equations), Known::default()] {
         let tokens = diverging(&target, &known);
         parsed(&tokens);
-        assert_eq!(tokens.to_string().matches("type ").count() - known.types(), 20);
+        assert_eq!(tokens.to_string().matches("type ").count() - known.types(), 21);
     }
 }
 
 impl Known {
     /// How many structs have a `type Array`.
     fn types(&self) -> usize {
-        [&self.state, &self.velocities, &self.multipliers, &self.parameters, &self.inputs]
+        [&self.state, &self.velocities, &self.multipliers, &self.parameters, &self.inputs, &self.outputs]
             .iter()
             .filter(|names| !names.is_empty())
             .count()

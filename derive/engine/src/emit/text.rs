@@ -124,19 +124,31 @@ impl Writer<'_> {
         references.iter().map(|r| self.name(*r)).collect::<Vec<_>>().join(", ")
     }
 
-    /// `let [x, _, phi] = *at;`, the coordinates or the carriers that the program reads.
+    /// `let [x, _, phi] = *at;`, the coordinates, the carriers or their rates that the program reads.
     pub fn arrays(&self, arguments: Arguments) -> String {
-        let (names, argument) = match arguments {
+        let coordinates = |leaf: &Leaf| if let Leaf::Coordinate(i) = leaf { Some(*i) } else { None };
+        let carriers = |leaf: &Leaf| if let Leaf::Carrier(i) = leaf { Some(*i) } else { None };
+        let rates = |leaf: &Leaf| if let Leaf::CarrierRate(i) = leaf { Some(*i) } else { None };
+        match arguments {
             Arguments::Coordinates | Arguments::CoordinatesVelocities | Arguments::CoordinatesVelocitiesInputs => {
-                (&self.names.coordinates, "at")
+                self.array("at", &self.names.coordinates, coordinates)
             }
-            Arguments::StateCarriers => (&self.names.carriers, "w"),
-            _ => return String::new(),
-        };
+            Arguments::StateCarriers => self.array("w", &self.names.carriers, carriers),
+            Arguments::StateCarriersRates => {
+                self.array("w", &self.names.carriers, carriers) + &self.array("dw", &self.names.carrier_rates, rates)
+            }
+            _ => String::new(),
+        }
+    }
+
+    /// One array, taken apart.
+    fn array(&self, argument: &str, names: &[String], place: impl Fn(&Leaf) -> Option<usize>) -> String {
         let mut read = vec![false; names.len()];
         for operation in &self.code.operations {
-            if let Operation::Read(Leaf::Coordinate(i) | Leaf::Carrier(i)) = operation {
-                read[*i] = true;
+            if let Operation::Read(leaf) = operation
+                && let Some(i) = place(leaf)
+            {
+                read[i] = true;
             }
         }
         let Some(last) = read.iter().rposition(|r| *r) else { return String::new() };

@@ -1,7 +1,7 @@
 //! The emitted structs: named vectors over any scalar.
 
 use super::shape::{Record, Types};
-use super::target::Target;
+use super::target::{Declared, Target};
 use crate::program::Programs;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -65,6 +65,13 @@ pub fn structs(target: &Target, types: &Types, programs: Option<&Programs>) -> S
         definitions.extend(structure(target, &types.multipliers, &about, &fields));
         implementations.extend(vector(target, &types.multipliers));
     }
+    if !types.outputs.fields.is_empty() {
+        let about = format!("The outputs of [`{name}`].");
+        let fields: Vec<TokenStream> =
+            types.outputs.names.iter().map(|n| docs_or(target.output(n), &format!("Output `{n}`."))).collect();
+        definitions.extend(structure(target, &types.outputs, &about, &fields));
+        implementations.extend(vector(target, &types.outputs));
+    }
     if !types.values.fields.is_empty() {
         let about = format!("The parameters of [`{name}`] and the work that depends on them alone.");
         let texts = programs.map(|p| p.graph.display_all(&p.values.quantities));
@@ -81,7 +88,7 @@ pub fn structs(target: &Target, types: &Types, programs: Option<&Programs>) -> S
 
 /// Structs of which no field is known, so that at least their names resolve.
 pub fn placeholders(target: &Target, types: &Types) -> TokenStream {
-    let all = [&types.state, &types.velocities, &types.multipliers, &types.parameters, &types.inputs];
+    let all = [&types.state, &types.velocities, &types.multipliers, &types.parameters, &types.inputs, &types.outputs];
     let vis = &target.vis;
     let allowed = allowed();
     let about = doc("Its fields are unknown while the model has errors.");
@@ -104,7 +111,11 @@ pub fn doc(text: &str) -> TokenStream {
 }
 
 fn doc_of(target: &Target, name: &str, fallback: &str) -> TokenStream {
-    match target.declared(name) {
+    docs_or(target.declared(name), fallback)
+}
+
+fn docs_or(declared: Option<&Declared>, fallback: &str) -> TokenStream {
+    match declared {
         Some(declared) if !declared.docs.is_empty() => {
             let docs = &declared.docs;
             quote!(#(#docs)*)

@@ -48,9 +48,36 @@ impl Context {
             .and(Mentions::FREE),
         rule: messages::RULE_VELOCITIES,
     };
+    pub const COMBINATION: Context =
+        Context { allowed: PLACE.and(Mentions::SPEEDS).and(Mentions::RATES), rule: messages::RULE_COMBINATION };
+    pub const COMBINATION_OF_RATES: Context = Context {
+        allowed: PLACE
+            .and(Mentions::FURTHER)
+            .and(Mentions::SPEEDS)
+            .and(Mentions::RATES)
+            .and(Mentions::FURTHER_RATES)
+            .and(Mentions::QUASI),
+        rule: messages::RULE_COMBINATION,
+    };
     pub const COMPLEMENT: Context = Context { allowed: PLACE, rule: messages::RULE_COMPLEMENT };
     pub const COMPLEMENT_OF_RATES: Context =
         Context { allowed: PLACE.and(Mentions::FURTHER), rule: messages::RULE_COMPLEMENT };
+    /// All that is known of a state.
+    pub const OUTPUT: Context = Context {
+        allowed: PLACE
+            .and(Mentions::FURTHER)
+            .and(Mentions::SPEEDS)
+            .and(Mentions::RATES)
+            .and(Mentions::FURTHER_RATES)
+            .and(Mentions::QUASI)
+            .and(Mentions::FREE)
+            .and(Mentions::INPUTS)
+            .and(Mentions::ACCELERATIONS)
+            .and(Mentions::FURTHER_ACCELERATIONS)
+            .and(Mentions::REACTIONS)
+            .and(Mentions::OUTPUTS),
+        rule: "",
+    };
     pub const NUMBER: Context = Context { allowed: Mentions::NONE, rule: messages::RULE_NUMBER };
     /// Where a define is used decides, not where it stands.
     pub const DEFINE: Context = Context {
@@ -59,6 +86,7 @@ impl Context {
             .and(Mentions::SPEEDS)
             .and(Mentions::RATES)
             .and(Mentions::ACCELERATIONS)
+            .and(Mentions::REACTIONS)
             .and(Mentions::INPUTS),
         rule: "",
     };

@@ -8,7 +8,7 @@ use crate::symbolic::{Expr, Function, Rational};
 use crate::syntax::{Diagnostics, did_you_mean, messages, nearest};
 
 /// The functions with their numbers of arguments.
-pub(super) const FUNCTIONS: [(&str, usize); 20] = [
+pub(super) const FUNCTIONS: [(&str, usize); 21] = [
     ("sin", 1),
     ("cos", 1),
     ("tan", 1),
@@ -29,6 +29,7 @@ pub(super) const FUNCTIONS: [(&str, usize); 20] = [
     ("powi", 2),
     ("powf", 2),
     ("dot", 1),
+    ("reaction", 1),
 ];
 
 /// Names under which people look for these functions.

@@ -1,9 +1,10 @@
 //! From an expression as written to an expression of the graph.
 
+use proc_macro2::Span;
 use quote::ToTokens;
 
 use super::context::Context;
-use super::functions::{Call, wrong_number_of_arguments};
+use super::functions::Call;
 use super::names::{Meaning, Mentions, Names};
 use crate::symbolic::{Expr, Function, Graph, Kind, Rational, Symbol};
 use crate::syntax::{Comparison, Declarations, Diagnostics, Expression, Operator, Term, messages};
@@ -40,7 +41,17 @@ pub(super) struct Vocabulary<'a> {
     pub quasi: Vec<Symbol>,
     /// The independent speeds of `velocities(of(..))`.
     pub free: Vec<Symbol>,
+    /// The combinations of speeds of `independent(s = ..)`, through all lists.
+    pub combinations: Vec<Symbol>,
+    /// The second rates of `further`; empty before the outputs are built.
+    pub further_accelerations: Vec<Symbol>,
+    /// The rates of the quasi-velocities; empty before the outputs are built.
+    pub quasi_rates: Vec<Symbol>,
     pub inputs: Vec<Symbol>,
+    /// The reactions that are mentioned: the place of their constraint in the list, and where they are first.
+    pub reactions: Vec<(usize, Symbol, Span)>,
+    /// The outputs that are lowered so far; without a value where that failed.
+    pub outputs: Vec<(String, Option<Lowered>)>,
     /// The functions of the user's.
     pub functions: Vec<Function>,
     /// `None` before a define is lowered, and where that failed.
@@ -79,6 +90,8 @@ impl<'a> Vocabulary<'a> {
         let inputs = symbols(of(&declarations.inputs), Kind::Input);
         let quasi = declarations.configuration.as_ref().map_or(Vec::new(), |c| symbols(of(&c.speeds), Kind::Speed));
         let free = declarations.velocities.as_ref().map_or(Vec::new(), |v| symbols(of(&v.further), Kind::Speed));
+        let combined = declarations.independent.iter().flat_map(|list| list.combinations());
+        let combinations = symbols(combined.map(|(name, _)| name.ident.to_string()).collect(), Kind::Speed);
         let functions = declarations.functions.iter().map(|function| {
             let names: Vec<String> = function.orders.iter().map(last_name).collect();
             graph.give(&names)
@@ -100,7 +113,12 @@ impl<'a> Vocabulary<'a> {
             further_rates: Vec::new(),
             quasi,
             free,
+            combinations,
+            further_accelerations: Vec::new(),
+            quasi_rates: Vec::new(),
             inputs,
+            reactions: Vec::new(),
+            outputs: Vec::new(),
             functions,
             defines: vec![None; declarations.defines.len()],
         }
@@ -116,11 +134,11 @@ impl<'a> Vocabulary<'a> {
         let terms = expression.terms();
         let mut mentions = Mentions::NONE;
         let mut values: Vec<Option<Value>> = Vec::with_capacity(terms.len());
-        // `dot` takes the name itself, not its value.
+        // `dot` and `reaction` take the name itself, not its value.
         let mut named = vec![false; terms.len()];
         for (term, _) in terms {
             if let Term::Call(function, arguments) = term
-                && matches!(function.as_str(), "dot" | "ddot")
+                && (named_function(function) || function == "reaction")
             {
                 arguments.iter().for_each(|argument| named[*argument] = true);
             }
@@ -178,6 +196,11 @@ impl<'a> Vocabulary<'a> {
                     mentions |= lowered.map_or(Mentions::NONE, |lowered| lowered.mentions);
                     lowered.map(|lowered| Value::Expr(lowered.expr))
                 }
+                Term::Call(function, arguments) if function == "reaction" => {
+                    let lowered = self.reaction(*span, arguments, terms, context, diagnostics);
+                    mentions |= lowered.map_or(Mentions::NONE, |lowered| lowered.mentions);
+                    lowered.map(|lowered| Value::Expr(lowered.expr))
+                }
                 Term::Call(function, arguments) => {
                     let values: Vec<Option<Expr>> = arguments
                         .iter()
@@ -209,14 +232,13 @@ impl<'a> Vocabulary<'a> {
     }
 
     /// A name and what it mentions, if that may occur here.
-    fn name(
-        &mut self,
-        name: &str,
-        span: proc_macro2::Span,
-        context: Context,
-        diagnostics: &mut Diagnostics,
-    ) -> Option<Lowered> {
+    fn name(&mut self, name: &str, span: Span, context: Context, diagnostics: &mut Diagnostics) -> Option<Lowered> {
         let Some(meaning) = self.names.get(name) else {
+            if context.allowed.intersects(Mentions::OUTPUTS)
+                && self.declarations.outputs.iter().any(|output| output.name.ident == name)
+            {
+                return self.output(name, span, diagnostics);
+            }
             diagnostics.report(span, self.names.unknown(name));
             return None;
         };
@@ -240,6 +262,7 @@ impl<'a> Vocabulary<'a> {
             Meaning::Speed(i) => (self.speeds[i], Mentions::SPEEDS),
             Meaning::Quasi(i) => (self.quasi[i], Mentions::QUASI),
             Meaning::Free(i) => (self.free[i], Mentions::FREE),
+            Meaning::Combination(i) => (self.combinations[i], Mentions::COMBINATIONS),
             Meaning::Input(i) => (self.inputs[i], Mentions::INPUTS),
             Meaning::Time => (self.time, Mentions::TIME),
             Meaning::Pi => (self.graph.pi_symbol(), Mentions::NONE),
@@ -265,78 +288,6 @@ impl<'a> Vocabulary<'a> {
         }
         Some(Lowered { expr: self.graph.var(symbol), mentions })
     }
-
-    /// `dot(x)`, `dot(v)` or `ddot(x)`
-    fn dot(
-        &mut self,
-        function: &str,
-        span: proc_macro2::Span,
-        arguments: &[usize],
-        terms: &[(Term, proc_macro2::Span)],
-        context: Context,
-        diagnostics: &mut Diagnostics,
-    ) -> Option<Lowered> {
-        let message = match arguments {
-            [argument] => match &terms[*argument] {
-                (Term::Name(name), place) => match self.names.get(name) {
-                    None => {
-                        diagnostics.report(*place, self.names.unknown(name));
-                        return None;
-                    }
-                    Some(Meaning::Speed(i)) if function == "dot" => {
-                        let found = (self.accelerations[i], Mentions::ACCELERATIONS);
-                        return self.rate(function, name, found, span, context, diagnostics);
-                    }
-                    Some(Meaning::Speed(_)) => messages::second_rate_of_speed(name),
-                    Some(Meaning::Coordinate(i)) => {
-                        let found = match function {
-                            "dot" => (self.rates[i], Mentions::RATES),
-                            _ => (self.second_rates[i], Mentions::ACCELERATIONS),
-                        };
-                        return self.rate(function, name, found, span, context, diagnostics);
-                    }
-                    Some(Meaning::Further(i))
-                        if function == "dot"
-                            && context.allowed.intersects(Mentions::FURTHER_RATES)
-                            && i < self.further_rates.len() =>
-                    {
-                        let found = (self.further_rates[i], Mentions::FURTHER_RATES);
-                        return self.rate(function, name, found, span, context, diagnostics);
-                    }
-                    Some(Meaning::Further(_)) => {
-                        let what = Mentions::FURTHER.describe();
-                        messages::out_of_place(name, what, context.rule)
-                    }
-                    Some(meaning) => messages::dot_of_no_coordinate(name, meaning.describe()),
-                },
-                (Term::Hole, _) => return None,
-                (Term::Call(inner, _), _) if named_function(inner) => messages::rate_of_rate(),
-                _ => messages::dot_of_expression(),
-            },
-            [_, _] if function == "dot" => messages::scalar_product(),
-            _ => wrong_number_of_arguments(function, 1, arguments.len()),
-        };
-        diagnostics.report(span, message);
-        None
-    }
-
-    /// The rate, if it may occur here.
-    fn rate(
-        &mut self,
-        function: &str,
-        name: &str,
-        (symbol, mentions): (Symbol, Mentions),
-        span: proc_macro2::Span,
-        context: Context,
-        diagnostics: &mut Diagnostics,
-    ) -> Option<Lowered> {
-        if mentions.beyond(context.allowed) != Mentions::NONE {
-            let text = format!("{function}({name})");
-            diagnostics.report(span, messages::out_of_place(text, mentions.describe(), context.rule));
-            return None;
-        }
-        Some(Lowered { expr: self.graph.var(symbol), mentions })
-    }
 }
 
 /// The last segment of a path.
@@ -345,7 +296,7 @@ fn last_name(path: &syn::Path) -> String {
 }
 
 /// Functions that take the name of a coordinate or of a speed.
-fn named_function(function: &str) -> bool {
+pub(super) fn named_function(function: &str) -> bool {
     matches!(function, "dot" | "ddot")
 }
 

@@ -6,6 +6,7 @@
 //! | `functions` | the functions of the language |
 //! | `context` | what may occur where |
 //! | `lower` | expressions as written become expressions of the graph |
+//! | `named` | rates and reactions, which take a name and not its value |
 //! | `defines` | intermediate names in the order of their dependence |
 //! | `kinematics` | ẋ = A v + a0 (2.1), v = B ẋ + b0 (2.2): one given, the other derived |
 //! | `linear` | splitting what is linear, decided |
@@ -14,6 +15,7 @@
 //! | `rows` | constraints, sorted by what they bind |
 //! | `configuration` | x = g(q, t) (4.2) |
 //! | `velocities` | v = g(u, x, t) (5.8) |
+//! | `outputs` | what a model tells of a state besides its motion |
 //! | `choice` | independent speeds, or D by rows (3.1) |
 //! | `numbers` | values for judging |
 //! | `system` | the result |
@@ -28,8 +30,10 @@ mod inverse;
 mod kinematics;
 mod linear;
 mod lower;
+mod named;
 mod names;
 mod numbers;
+mod outputs;
 mod rows;
 mod system;
 #[cfg(test)]
@@ -37,8 +41,8 @@ mod tests;
 mod velocities;
 
 pub use system::{
-    ComplementRow, Configuration, Independent, IndependentSpeed, InitialSystem, Kinematics, Places, Row, RowKind,
-    Velocities,
+    ComplementRow, Configuration, Independent, IndependentSpeed, InitialSystem, Kinematics, Output, Outputs, Places,
+    Reaction, Row, RowKind, Velocities,
 };
 
 use crate::symbolic::{Expr, Symbol};
@@ -95,6 +99,7 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
         .and_then(|given| vocabulary.lower(given, Context::POTENTIAL, diagnostics).map(|lowered| lowered.expr));
     let written = rows::lower(vocabulary, diagnostics);
     let configuration = configuration::build(vocabulary, diagnostics);
+    outputs::lower(vocabulary, diagnostics);
     let failed = declarations.configuration.is_some() && configuration.is_none();
     let complement = if failed { None } else { choice::complement(configuration.as_ref(), vocabulary, diagnostics) };
     let start = numbers::start(vocabulary, diagnostics);
@@ -104,6 +109,7 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
     let kinematics = kinematics?;
     let rates = rates(&kinematics, vocabulary);
     let rows = rows::finish(&written, &rates, vocabulary, diagnostics);
+    let outputs = outputs::finish(&rates, vocabulary);
     let forces = match (&declarations.forces, &declarations.kinetic_energy) {
         (None, Some(_)) => Some(vec![vocabulary.graph.zero(); vocabulary.speeds.len()]),
         _ => forces.map(|forces| vocabulary.graph.substitute(&forces, &rates)),
@@ -147,6 +153,7 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
         velocities,
         independent,
         complement,
+        outputs,
         places: Places {
             model,
             kinematics: declarations.kinematics.as_ref().map_or(model, |statement| statement.span),
@@ -155,6 +162,7 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
                 (None, statement) => statement.as_ref().map_or(model, |statement| statement.span),
             },
             complement: declarations.complement.as_ref().map_or(model, |statement| statement.span),
+            start: declarations.start.first().map_or(model, |first| first.name.span()),
         },
         start,
         nominal,

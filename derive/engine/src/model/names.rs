@@ -24,6 +24,8 @@ pub(super) enum Meaning {
     Quasi(usize),
     /// An independent speed from `velocities(of(..))`.
     Free(usize),
+    /// A combination of speeds from `independent(s = ..)`, counted through all lists.
+    Combination(usize),
     Input(usize),
     Define(usize),
     /// A function of the user's.
@@ -42,6 +44,7 @@ impl Meaning {
             Meaning::Speed(_) => "a speed",
             Meaning::Quasi(_) => "a speed of `configuration`",
             Meaning::Free(_) => "a speed of `velocities`",
+            Meaning::Combination(_) => "a combination of speeds in `independent`",
             Meaning::Input(_) => "an input",
             Meaning::Define(_) => "a define",
             Meaning::Function(_) => "a function",
@@ -56,13 +59,16 @@ pub(super) struct Names {
     table: BTreeMap<String, Meaning>,
     /// The lengths of arrays, whose entries stand in the table.
     arrays: BTreeMap<String, i64>,
+    /// The names of outputs, which stand in no table: they are a namespace of their own.
+    outputs: Vec<String>,
 }
 
 impl Names {
     /// Enters every name; reserved and duplicate ones are reported.
     pub fn of(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Self {
         let table = BTreeMap::from([("t".to_owned(), Meaning::Time), ("PI".to_owned(), Meaning::Pi)]);
-        let mut names = Names { table, arrays: declarations.arrays.clone() };
+        let outputs = declarations.outputs.iter().map(|output| output.name.ident.to_string()).collect();
+        let mut names = Names { table, arrays: declarations.arrays.clone(), outputs };
         let mut enter = |ident: &Ident, meaning| names.enter(ident, meaning, diagnostics);
         for (i, field) in declarations.fields.iter().enumerate() {
             enter(&field.ident, Meaning::Field(i));
@@ -81,6 +87,9 @@ impl Names {
         }
         for (i, name) in declarations.velocities.iter().flat_map(|v| &v.further).enumerate() {
             enter(&name.ident, Meaning::Free(i));
+        }
+        for (i, (name, _)) in declarations.independent.iter().flat_map(|list| list.combinations()).enumerate() {
+            enter(&name.ident, Meaning::Combination(i));
         }
         for (i, name) in declarations.inputs.iter().enumerate() {
             enter(&name.ident, Meaning::Input(i));
@@ -102,9 +111,10 @@ impl Names {
 
     fn enter(&mut self, ident: &Ident, meaning: Meaning, diagnostics: &mut Diagnostics) {
         let name = ident.to_string();
-        if let Some((_, what)) = RESERVED.iter().find(|(reserved, _)| *reserved == name) {
-            diagnostics.report(ident, messages::reserved_name(name, what));
-        } else if let Some(other) = self.table.get(&name) {
+        if reserved(ident, diagnostics) {
+            return;
+        }
+        if let Some(other) = self.table.get(&name) {
             diagnostics.report(ident, messages::duplicate_name(name, meaning.describe(), other.describe()));
         } else if let Some(of) = self.rate_of(&name) {
             diagnostics.report(ident, messages::name_of_rate(&name, of));
@@ -114,7 +124,7 @@ impl Names {
     }
 
     /// The coordinate of which this is the name of the rate in emitted code.
-    fn rate_of<'a>(&self, name: &'a str) -> Option<&'a str> {
+    pub fn rate_of<'a>(&self, name: &'a str) -> Option<&'a str> {
         let of = name.strip_prefix("dot_")?;
         matches!(self.table.get(of), Some(Meaning::Coordinate(_) | Meaning::Further(_))).then_some(of)
     }
@@ -131,6 +141,9 @@ impl Names {
         if let Some((_, what)) = RESERVED.iter().find(|(reserved, _)| *reserved == name) {
             return messages::reserved_not_supported(name, what);
         }
+        if self.outputs.iter().any(|output| output == name) {
+            return messages::output_out_of_place(name);
+        }
         if let Some(length) = self.arrays.get(name) {
             return messages::array_without_index(name, length);
         }
@@ -140,6 +153,16 @@ impl Names {
         };
         messages::unknown_name(name, hint)
     }
+}
+
+/// Whether a name has a meaning of its own, which is reported.
+pub(super) fn reserved(ident: &Ident, diagnostics: &mut Diagnostics) -> bool {
+    let name = ident.to_string();
+    let found = RESERVED.iter().find(|(reserved, _)| *reserved == name);
+    if let Some((_, what)) = found {
+        diagnostics.report(ident, messages::reserved_name(name, what));
+    }
+    found.is_some()
 }
 
 /// A set of kinds of names.
@@ -159,6 +182,12 @@ impl Mentions {
     pub const FURTHER_RATES: Self = Mentions(256);
     pub const QUASI: Self = Mentions(512);
     pub const FREE: Self = Mentions(1024);
+    pub const COMBINATIONS: Self = Mentions(16384);
+    pub const REACTIONS: Self = Mentions(2048);
+    /// Rates of what only a configuration has: its coordinates twice, its speeds once.
+    pub const FURTHER_ACCELERATIONS: Self = Mentions(4096);
+    /// Other outputs; what these mention counts besides.
+    pub const OUTPUTS: Self = Mentions(8192);
 
     pub const fn and(self, other: Mentions) -> Mentions {
         Mentions(self.0 | other.0)
@@ -176,8 +205,10 @@ impl Mentions {
     /// For messages: the kind of what is mentioned, the most changeable first.
     pub fn describe(self) -> &'static str {
         [
+            (Self::REACTIONS, "a reaction"),
             (Self::INPUTS, "an input"),
-            (Self::ACCELERATIONS, "an acceleration"),
+            (Self::ACCELERATIONS.and(Self::FURTHER_ACCELERATIONS), "an acceleration"),
+            (Self::COMBINATIONS, "a combination of speeds in `independent`"),
             (Self::FREE, "a speed of `velocities`"),
             (Self::QUASI, "a speed of `configuration`"),
             (Self::FURTHER_RATES, "a rate"),

@@ -17,6 +17,7 @@ pub(super) fn start(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnosti
             Some(Meaning::Speed(i)) => Ok(vocabulary.speeds[i]),
             Some(Meaning::Quasi(i)) => Ok(vocabulary.quasi[i]),
             Some(Meaning::Free(i)) => Ok(vocabulary.free[i]),
+            Some(Meaning::Combination(i)) => Ok(vocabulary.combinations[i]),
             Some(meaning) => Err(messages::start_of(name, meaning.describe())),
             None => Err(vocabulary.names.unknown(&name)),
         };

@@ -48,7 +48,8 @@ pub(super) fn finish(
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Row> {
-    let second = second_rates(written, rates, vocabulary);
+    let needed = written.iter().any(|row| row.mentions.intersects(Mentions::ACCELERATIONS));
+    let second = if needed { second_rates(rates, vocabulary) } else { Vec::new() };
     let all: Vec<(Symbol, Expr)> = rates.iter().chain(&second).copied().collect();
     let mut rows = Vec::new();
     for Written { constraint, expr, mentions } in written {
@@ -69,13 +70,8 @@ pub(super) fn finish(
 }
 
 /// What replaces each `ddot(x)`: d/dt (A v + a0), with v̇ in it; nothing where these are the accelerations themselves.
-fn second_rates(
-    written: &[Written<'_>],
-    rates: &[(Symbol, Expr)],
-    vocabulary: &mut Vocabulary<'_>,
-) -> Vec<(Symbol, Expr)> {
-    let needed = written.iter().any(|row| row.mentions.intersects(Mentions::ACCELERATIONS));
-    if rates.is_empty() || !needed {
+pub(super) fn second_rates(rates: &[(Symbol, Expr)], vocabulary: &mut Vocabulary<'_>) -> Vec<(Symbol, Expr)> {
+    if rates.is_empty() {
         return Vec::new();
     }
     let graph = &mut vocabulary.graph;

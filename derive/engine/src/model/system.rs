@@ -44,6 +44,8 @@ pub struct InitialSystem {
     pub velocities: Option<Velocities>,
     /// D of (3.1) by rows, where the model gives it.
     pub complement: Option<Vec<ComplementRow>>,
+    /// What the model tells besides its motion.
+    pub outputs: Outputs,
     /// Where statements about the whole begin, for errors.
     pub places: Places,
     /// Numbers for judging, from `start`: coordinates and speeds.
@@ -138,10 +140,14 @@ pub struct Velocities {
 /// A speed that the model wants to be independent.
 #[derive(Clone, Debug)]
 pub struct IndependentSpeed {
-    /// Its name in the state: the speed's own, or `dot_x`.
-    pub name: String,
-    /// The speed, in v; in the rates q̇ where there is a configuration.
+    /// The speed in the state: a carrier itself, or a symbol of its own for a combination of them.
+    pub symbol: Symbol,
+    /// u over the carriers: v, or with a configuration its rates or quasi-velocities.
     pub expr: Expr,
+    /// The row L of u = L w + l0, one entry a carrier.
+    pub gradient: Vec<Expr>,
+    /// l0.
+    pub offset: Expr,
     /// Its place in the list.
     pub place: Place,
 }
@@ -157,6 +163,45 @@ pub struct ComplementRow {
     pub span: Span,
 }
 
+/// The outputs with the symbols that only they mention.
+#[derive(Clone, Debug, Default)]
+pub struct Outputs {
+    /// The outputs in order.
+    pub entries: Vec<Output>,
+    /// v̇.
+    pub accelerations: Vec<Symbol>,
+    /// The rates of the configuration's further coordinates.
+    pub further_rates: Vec<Symbol>,
+    /// Their second rates.
+    pub further_accelerations: Vec<Symbol>,
+    /// The rates of the configuration's quasi-velocities.
+    pub quasi_rates: Vec<Symbol>,
+    /// The reactions that some output mentions.
+    pub reactions: Vec<Reaction>,
+}
+
+/// An output.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Its name.
+    pub name: String,
+    /// The name's place.
+    pub span: Span,
+    /// What it is, over x, v, v̇, inputs, t and the symbols of [`Outputs`].
+    pub expr: Expr,
+}
+
+/// A reaction that is mentioned.
+#[derive(Clone, Debug)]
+pub struct Reaction {
+    /// The constraint's name.
+    pub name: String,
+    /// What stands for its multiplier.
+    pub symbol: Symbol,
+    /// Where it is mentioned first.
+    pub span: Span,
+}
+
 /// Places for errors about a whole statement. Where the model does not make the statement, the place is the name of
 /// the struct.
 #[derive(Clone, Copy, Debug)]
@@ -169,4 +214,6 @@ pub struct Places {
     pub inertia: Span,
     /// `complement`
     pub complement: Span,
+    /// `start`
+    pub start: Span,
 }

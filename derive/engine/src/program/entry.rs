@@ -20,6 +20,9 @@ pub enum Arguments {
     StateVelocities,
     /// The state, of which the coordinates are read, and the carriers.
     StateCarriers,
+    /// The state, of which coordinates are read, and speeds where the model gives v by them; the carriers, their rates,
+    /// the multipliers and the inputs.
+    StateCarriersRates,
     /// The state in another chart: its speeds are those of this chart.
     Chart(usize),
     /// The same and the inputs.
@@ -37,6 +40,8 @@ pub enum Shape {
     Velocities,
     /// The struct of the multipliers.
     Multipliers,
+    /// The struct of the outputs.
+    Outputs,
     /// An array.
     Array(usize),
     /// A matrix, row by row.
@@ -130,7 +135,7 @@ pub fn entries(equations: &Equations) -> Vec<Entry> {
     };
     let kinetic = Output { shape: Shape::Scalar, roots: vec![e.kinetic_energy], labels: vec!["kinetic".to_owned()] };
     let derivative = Output { shape: Shape::State, roots: rates, labels: rates_of(&state) };
-    vec![
+    let mut all = vec![
         two(
             "derivative",
             StateInputs,
@@ -201,7 +206,24 @@ pub fn entries(equations: &Equations) -> Vec<Entry> {
             "The rates of the state's coordinates for the carriers w (2.1), (4.3).",
             array(&e.carried_rates, rates_of(&state[..e.state_coordinates.len()])),
         ),
-    ]
+    ];
+    if !e.outputs.names.is_empty() {
+        let outputs =
+            |roots: &[Expr]| Output { shape: Shape::Outputs, roots: roots.to_vec(), labels: e.outputs.names.clone() };
+        let law = "The outputs that the model declares, at a state.";
+        all.push(one(OUTPUTS, StateInputs, law, outputs(&e.outputs.values)));
+        let law = "The same for the carriers w, ẇ and λ, which need no independent speeds: v̇ = D1ᵀ ẇ + a_1 (4.5).";
+        all.push(one(CARRIED_OUTPUTS, Arguments::StateCarriersRates, law, outputs(&e.outputs.carried)));
+    }
+    all
+}
+
+const OUTPUTS: &str = "outputs";
+const CARRIED_OUTPUTS: &str = "carried_outputs";
+
+/// Whether a function of that name computes outputs.
+pub fn of_outputs(function: &str) -> bool {
+    [OUTPUTS, CARRIED_OUTPUTS].contains(&function)
 }
 
 /// The functions of every chart, which the trait's functions choose from: `chart_1_derivative` and the like. Of the first

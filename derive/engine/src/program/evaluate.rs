@@ -60,6 +60,11 @@ impl Programs {
             Leaf::Coordinate(i) => values(equations.coordinates[i]),
             Leaf::Speed(i) => values(equations.speeds[i]),
             Leaf::Carrier(i) => values(equations.carriers[i]),
+            Leaf::CarrierRate(i) => values(equations.outputs.carrier_rates[i]),
+            Leaf::Multiplier(i) => {
+                let symbol = equations.outputs.reactions.iter().find(|(_, at)| *at == i);
+                symbol.map_or(f64::NAN, |(symbol, _)| values(*symbol))
+            }
             Leaf::Input(i) => values(equations.inputs[i]),
         }))
     }

@@ -110,8 +110,10 @@ fn name(code: &Code, names: &Names, labels: &[(&str, bool)], bound: &[bool]) -> 
     let reads = |of: fn(&Leaf) -> bool| code.operations.iter().any(|o| matches!(o, Operation::Read(leaf) if of(leaf)));
     let (coordinates, carriers) =
         (reads(|leaf| matches!(leaf, Leaf::Coordinate(_))), reads(|leaf| matches!(leaf, Leaf::Carrier(_))));
+    let rates = reads(|leaf| matches!(leaf, Leaf::CarrierRate(_)));
     let locals = names.coordinates.iter().filter(|_| coordinates);
-    let locals = locals.chain(names.carriers.iter().filter(|_| carriers)).map(String::as_str);
+    let locals = locals.chain(names.carriers.iter().filter(|_| carriers));
+    let locals = locals.chain(names.carrier_rates.iter().filter(|_| rates)).map(String::as_str);
     let mut namer = Namer::avoiding(ARGUMENTS.iter().copied().chain(locals));
     let mut label: BTreeMap<Reference, (&str, bool)> = BTreeMap::new();
     for (output, text) in code.outputs.iter().zip(labels) {

@@ -20,7 +20,7 @@ const KEYWORDS: &[&str] = &[
 const FORBIDDEN: &[&str] = &["self", "Self", "super", "crate", "_", ""];
 
 /// The arguments of emitted functions, which no local name may hide.
-pub const ARGUMENTS: &[&str] = &["p", "t", "s", "i", "at", "v", "w", "part"];
+pub const ARGUMENTS: &[&str] = &["p", "t", "s", "i", "at", "v", "w", "dw", "lambda", "part"];
 
 /// The name as a Rust identifier, raw where it is a keyword.
 pub fn identifier(name: &str) -> String {
@@ -92,6 +92,8 @@ pub struct Names {
     pub coordinates: Vec<String>,
     /// Carriers, as local variables.
     pub carriers: Vec<String>,
+    /// Rates of the carriers, as local variables beside these.
+    pub carrier_rates: Vec<String>,
     /// The user's functions and their derivatives.
     pub functions: Vec<Given>,
 }
@@ -111,6 +113,10 @@ impl Names {
             let mut namer = Namer::avoiding(ARGUMENTS.iter().copied());
             of(symbols).iter().map(|n| namer.unique(&n.to_lowercase())).collect()
         };
+        let carriers = locals(&equations.carriers);
+        let mut beside = Namer::avoiding(ARGUMENTS.iter().copied().chain(carriers.iter().map(String::as_str)));
+        let rates: Vec<String> =
+            carriers.iter().map(|w| beside.unique(&format!("dot_{}", w.trim_start_matches("r#")))).collect();
         Names {
             values: fields(of(&equations.parameters)),
             state: fields(state),
@@ -120,7 +126,8 @@ impl Names {
             multipliers: fields(equations.multiplier_names.clone()),
             functions: equations.graph.given().to_vec(),
             coordinates: locals(&equations.coordinates),
-            carriers: locals(&equations.carriers),
+            carriers,
+            carrier_rates: rates,
         }
     }
 
@@ -135,6 +142,8 @@ impl Names {
             Leaf::Coordinate(i) => &self.coordinates[i],
             Leaf::Speed(i) => &self.velocities[i],
             Leaf::Carrier(i) => &self.carriers[i],
+            Leaf::CarrierRate(i) => &self.carrier_rates[i],
+            Leaf::Multiplier(i) => &self.multipliers[i],
             Leaf::Input(i) => &self.inputs[i],
         }
     }
@@ -142,10 +151,11 @@ impl Names {
     /// The argument that holds what is read; nothing for a local name.
     pub fn place(leaf: Leaf) -> &'static str {
         match leaf {
-            Leaf::Pi | Leaf::Time | Leaf::Coordinate(_) | Leaf::Carrier(_) => "",
+            Leaf::Pi | Leaf::Time | Leaf::Coordinate(_) | Leaf::Carrier(_) | Leaf::CarrierRate(_) => "",
             Leaf::Parameter(_) | Leaf::Value(_) => "p.",
             Leaf::StateCoordinate(_) | Leaf::StateSpeed(_) => "s.",
             Leaf::Speed(_) => "v.",
+            Leaf::Multiplier(_) => "lambda.",
             Leaf::Input(_) => "i.",
         }
     }

@@ -27,6 +27,10 @@ pub enum Leaf {
     Speed(usize),
     /// An entry of the carriers w.
     Carrier(usize),
+    /// An entry of ẇ.
+    CarrierRate(usize),
+    /// A multiplier.
+    Multiplier(usize),
     /// An input.
     Input(usize),
 }

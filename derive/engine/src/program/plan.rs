@@ -187,6 +187,7 @@ fn parameter_guards(graph: &Graph, equations: &Equations) -> Vec<Guard> {
         kind: GuardKind::Pivot,
         origin: "the equations divide by it".to_owned(),
         rows: Vec::new(),
+        start: None,
     }));
     guards
 }
@@ -207,7 +208,10 @@ fn places(equations: &Equations, arguments: Arguments) -> BTreeMap<Symbol, Leaf>
     let pi = e.graph.pi_symbol();
     let inputs = matches!(
         arguments,
-        Arguments::StateInputs | Arguments::CoordinatesVelocitiesInputs | Arguments::ChartInputs(_)
+        Arguments::StateInputs
+            | Arguments::CoordinatesVelocitiesInputs
+            | Arguments::ChartInputs(_)
+            | Arguments::StateCarriersRates
     );
     match arguments {
         Arguments::Parameters => {
@@ -233,6 +237,13 @@ fn places(equations: &Equations, arguments: Arguments) -> BTreeMap<Symbol, Leaf>
             add(&e.state_coordinates, Leaf::StateCoordinate);
             add(&e.carriers, Leaf::Carrier);
         }
+        Arguments::StateCarriersRates => {
+            // Where v = g(u, x, t) is given, u may stand in an output; a speed that is a carrier is the carriers'.
+            add(&e.state_speeds, Leaf::StateSpeed);
+            add(&e.state_coordinates, Leaf::StateCoordinate);
+            add(&e.carriers, Leaf::Carrier);
+            add(&e.outputs.carrier_rates, Leaf::CarrierRate);
+        }
         Arguments::Coordinates => add(&e.coordinates, Leaf::Coordinate),
         Arguments::CoordinatesVelocities | Arguments::CoordinatesVelocitiesInputs => {
             add(&e.coordinates, Leaf::Coordinate);
@@ -243,5 +254,8 @@ fn places(equations: &Equations, arguments: Arguments) -> BTreeMap<Symbol, Leaf>
         add(&e.inputs, Leaf::Input);
     }
     add(&[e.time], |_| Leaf::Time);
+    if arguments == Arguments::StateCarriersRates {
+        places.extend(e.outputs.reactions.iter().map(|(symbol, at)| (*symbol, Leaf::Multiplier(*at))));
+    }
     places
 }

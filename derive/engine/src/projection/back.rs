@@ -54,8 +54,8 @@ pub fn carriers_of_velocities(
     moved.into_iter().zip(&kinematics.b0).map(|(rate, bias)| graph.add(rate, *bias)).collect()
 }
 
-/// The independent speeds of a chart from the carriers: those of the same name, or the least-squares solution of
-/// w = D2ᵀ u + w_p where the user gave D, or g.
+/// The independent speeds of a chart from the carriers: those of the same name, the combinations that they are, or the
+/// least-squares solution of w = D2ᵀ u + w_p where the user gave D, or g.
 pub fn speeds_of_carriers(
     system: &mut InitialSystem,
     simplifier: &mut dyn Simplifier,
@@ -64,6 +64,11 @@ pub fn speeds_of_carriers(
     w: &[Expr],
 ) -> Vec<Expr> {
     let graph = &mut system.graph;
+    if let Some(readings) = &tangent.readings {
+        let at: Vec<(Symbol, Expr)> = carriers.speeds.iter().copied().zip(w.iter().copied()).collect();
+        let found = graph.substitute(readings, &at);
+        return found.into_iter().map(|e| simplifier.one(graph, e)).collect();
+    }
     let own = |speed: &Symbol| carriers.speeds.iter().position(|carrier| carrier == speed);
     if let Some(columns) = tangent.speeds.iter().map(own).collect::<Option<Vec<usize>>>() {
         return columns.into_iter().map(|j| w[j]).collect();

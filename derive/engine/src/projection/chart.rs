@@ -73,16 +73,18 @@ pub fn chart(
     let mut guards = Guards::default();
     for pivot in system.kinematics.pivots.clone() {
         let pivot = to_state(&mut system.graph, carriers, &tangent, &[pivot])[0];
-        guards.pivot(&system.graph, pivot, "the kinematics are not invertible where it vanishes (2.2)", &[]);
+        let origin = "the kinematics are not invertible where it vanishes (2.2)";
+        guards.pivot(&system.graph, pivot, "determinant of the kinematics", origin, &[]);
     }
     let quasi = system.configuration.as_ref().map_or(Vec::new(), |given| given.kinematics.pivots.clone());
     for pivot in quasi {
         let pivot = to_state(&mut system.graph, carriers, &tangent, &[pivot])[0];
         let origin = "the configuration's speeds are not invertible where it vanishes (4.3)";
-        guards.pivot(&system.graph, pivot, origin, &[]);
+        guards.pivot(&system.graph, pivot, "determinant of the configuration's speeds", origin, &[]);
     }
-    for pivot in &tangent.pivots {
-        guards.pivot(&system.graph, *pivot, TANGENT_PIVOT, &names(&tangent.rows));
+    let by_second = names(&tangent.rows);
+    for (pivot, called) in tangent.pivots.iter().zip(tangent.pivot_names(&system.graph, &by_second)) {
+        guards.pivot(&system.graph, *pivot, &called, TANGENT_PIVOT, &by_second);
     }
     let dynamics = reduce(system, simplifier, carriers, &tangent, &bound);
     let by_third = names(&bound.rows);

@@ -57,6 +57,7 @@ pub fn given(
     if !carried.iter().all(|row| graph.vanishes(row.offset)) {
         let (particular, divisors) = particular(graph, simplifier, carried, width);
         pivots = divisors;
+        let particular = beside_named(graph, carriers, &speeds, &complement, particular);
         w.iter_mut().zip(particular).for_each(|(w, p)| *w = graph.add(*w, p));
     }
     let map: Vec<(Symbol, Expr)> = carriers.speeds.iter().copied().zip(w.iter().copied()).collect();
@@ -67,7 +68,38 @@ pub fn given(
     let bias = bias.into_iter().map(|e| simplifier.one(graph, e)).collect();
     let gradients = Matrix::from_rows(carried.iter().map(|row| row.gradient.clone()).collect(), width);
     let rows = carried.iter().map(|row| row.row).collect();
-    Some(Tangent { speeds, complement, map, bias, rows, gradients, elimination: None, pivots, note: None })
+    Some(Tangent {
+        speeds,
+        complement,
+        map,
+        bias,
+        rows,
+        gradients,
+        elimination: None,
+        readings: None,
+        pivots,
+        note: None,
+    })
+}
+
+/// The particular solution that leaves alone the carriers whose names rows of D have: D's columns for these are unit
+/// vectors, and with w_p = 0 there each is the speed that it is called.
+fn beside_named(
+    graph: &mut Graph,
+    carriers: &Carriers,
+    speeds: &[Symbol],
+    complement: &Matrix,
+    mut particular: Vec<Expr>,
+) -> Vec<Expr> {
+    for (i, speed) in speeds.iter().enumerate() {
+        let column = carriers.speeds.iter().position(|w| graph.name(*w) == graph.name(*speed));
+        let Some(part) = column.map(|j| particular[j]).filter(|part| !graph.is_zero(*part)) else { continue };
+        for (j, entry) in complement.row(i).iter().enumerate() {
+            let moved = graph.mul(*entry, part);
+            particular[j] = graph.sub(particular[j], moved);
+        }
+    }
+    particular
 }
 
 /// A particular solution of C v_p = -η, and what it divides by: with the pivots of C where they need no new guard, else

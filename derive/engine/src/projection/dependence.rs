@@ -235,17 +235,6 @@ fn excess(
 
 /// `2*a - cos(theta)*b` over the names of rows.
 fn text_of(graph: &Graph, rows: &[DifferentiatedRow], parts: &[(usize, Expr)]) -> String {
-    if parts.is_empty() {
-        return "0".to_owned();
-    }
-    let terms = parts.iter().map(|(j, c)| {
-        let name = format!("`{}`", rows[*j].name);
-        match graph.display(*c).as_str() {
-            "1" => name,
-            "-1" => format!("-{name}"),
-            text if text.contains(' ') => format!("({text})*{name}"),
-            text => format!("{text}*{name}"),
-        }
-    });
-    terms.collect::<Vec<_>>().join(" + ")
+    let named: Vec<(&str, Expr)> = parts.iter().map(|(j, c)| (rows[*j].name.as_str(), *c)).collect();
+    messages::combination(graph, &named)
 }

@@ -30,10 +30,27 @@ pub struct Elimination {
     /// The value of each row's pivot when it was chosen; where a block was inverted as a whole its determinant, and one for
     /// its other rows.
     pub values: Vec<Expr>,
+    /// The row of the block's determinant for each row; the row itself where it was eliminated alone.
+    pub leaders: Vec<usize>,
     /// C_d⁻¹ C.
     pub reduced: Matrix,
     /// C_d⁻¹, rows in the order of C's rows: C_d⁻¹ maps C's rows to the reduced ones.
     pub inverse: Matrix,
+}
+
+impl Elimination {
+    /// What each row's pivot is, over names of the rows.
+    pub fn pivot_names(&self, names: &[String]) -> Vec<String> {
+        let block = |row: usize| {
+            let rows = (0..names.len()).filter(|other| self.leaders[*other] == row);
+            rows.map(|other| names[other].as_str()).collect::<Vec<_>>().join(", ")
+        };
+        let name = |row: usize| match self.leaders.iter().filter(|leader| **leader == row).count() {
+            0 | 1 => format!("pivot of {}", names[row]),
+            _ => format!("determinant of {}", block(row)),
+        };
+        (0..names.len()).map(name).collect()
+    }
 }
 
 /// Why there is no reduced form.
@@ -95,8 +112,14 @@ pub fn eliminate(
         *e = if graph.vanishes(*e) { graph.zero() } else { simplifier.one(graph, *e) };
     }
     let inverse = Matrix::identity(graph, m);
-    let mut work =
-        Work { reduced, inverse, pivots: vec![None; m], values: vec![graph.one(); m], columns: choice.columns.clone() };
+    let mut work = Work {
+        reduced,
+        inverse,
+        pivots: vec![None; m],
+        values: vec![graph.one(); m],
+        leaders: (0..m).collect(),
+        columns: choice.columns.clone(),
+    };
     let mut blocks_done = !choice.new_guards;
     while work.pivots.iter().any(Option::is_none) {
         let Some((row, column, dear)) = cheapest(graph, &work.reduced, &work.pivots, &work.columns) else {
@@ -112,9 +135,9 @@ pub fn eliminate(
         }
         work.pivot(graph, simplifier, row, column, dear);
     }
-    let Work { reduced, inverse, pivots, values, .. } = work;
+    let Work { reduced, inverse, pivots, values, leaders, .. } = work;
     debug_assert!(pivots.iter().flatten().all(|j| *j < n));
-    Ok(Elimination { pivots: pivots.into_iter().flatten().collect(), values, reduced, inverse })
+    Ok(Elimination { pivots: pivots.into_iter().flatten().collect(), values, leaders, reduced, inverse })
 }
 
 /// An elimination on its way.
@@ -124,6 +147,7 @@ struct Work {
     inverse: Matrix,
     pivots: Vec<Option<usize>>,
     values: Vec<Expr>,
+    leaders: Vec<usize>,
     /// Columns in which pivots may stand.
     columns: Vec<bool>,
 }
@@ -241,6 +265,7 @@ impl Work {
         for (i, (row, column)) in rows.iter().zip(columns).enumerate() {
             self.pivots[*row] = Some(*column);
             self.values[*row] = if i == 0 { determinant } else { graph.one() };
+            self.leaders[*row] = rows[0];
             for other in rows {
                 let unit = if other == row { graph.one() } else { graph.zero() };
                 self.reduced.set(*other, *column, unit);

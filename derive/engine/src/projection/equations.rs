@@ -1,5 +1,6 @@
 //! The result of the projection: every quantity of the paper as expressions.
 
+use super::outputs::Outputs;
 use crate::symbolic::{Expr, Graph, Matrix, Symbol};
 
 /// What a run must watch about a guard.
@@ -12,7 +13,7 @@ pub enum GuardKind {
 }
 
 /// A quantity by which the emitted code divides.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Guard {
     /// The quantity.
     pub expr: Expr,
@@ -24,6 +25,8 @@ pub struct Guard {
     pub origin: String,
     /// The names of the constraints that it comes from.
     pub rows: Vec<String>,
+    /// Its value at the start that the model names, closed; `None` where that is not known.
+    pub start: Option<f64>,
 }
 
 /// What a row of C binds.
@@ -127,6 +130,10 @@ pub struct Equations {
     pub charts: Vec<ChartEquations>,
     /// u of every chart, the first included, as functions of v and the state's coordinates.
     pub chart_speeds: Vec<Vec<Expr>>,
+    /// The relative pivot of every chart at the start that the model names; `None` where it is not known.
+    pub relative_pivots: Vec<Option<f64>>,
+    /// Whether some speeds of the state are combinations of the carriers.
+    pub combined: bool,
     /// w, the carriers of the motion: v without a configuration, with one the rates of its coordinates.
     pub carriers: Vec<Symbol>,
     /// v as functions of w and the state's coordinates.
@@ -155,6 +162,9 @@ pub struct Equations {
     /// V, where the model gives it.
     pub potential_energy: Option<Expr>,
 
+    /// What the model tells besides its motion.
+    pub outputs: Outputs,
+
     /// The rows of C.
     pub rows: Vec<RowFacts>,
     /// Names of the position rows.
@@ -182,7 +192,9 @@ impl Equations {
     /// Every expression of the result.
     pub fn roots(&self) -> Vec<Expr> {
         let mut equations = self.clone();
-        equations.groups().into_iter().flatten().map(|e| *e).collect()
+        let mut roots: Vec<Expr> = equations.groups().into_iter().flatten().map(|e| *e).collect();
+        roots.extend(self.outputs.values.iter().chain(&self.outputs.carried));
+        roots
     }
 
     /// The functions of the state that a run needs, guards apart. Where rows bind accelerations alone, M_d, h_u* and D are
@@ -207,7 +219,8 @@ impl Equations {
         roots
     }
 
-    /// The expressions in groups that are computed together, to be replaced by cheaper ones in place.
+    /// The expressions in groups that are computed together, to be replaced by cheaper ones in place. Outputs are not among
+    /// them: they are made of these.
     pub fn groups(&mut self) -> Vec<Vec<&mut Expr>> {
         let guards = self.guards.iter_mut().map(|g| &mut g.expr);
         let mut groups = vec![

@@ -60,6 +60,7 @@ pub fn velocities(
         rows: Vec::new(),
         gradients: Matrix::zeros(graph, 0, carriers.speeds.len()),
         elimination: None,
+        readings: None,
         pivots: Vec::new(),
         note: Some(note),
         speeds: given.speeds,

@@ -14,21 +14,28 @@ pub struct Guards {
 
 impl Guards {
     /// A quantity that must not vanish: each of its factors must not, so that a change of sign is seen in every one.
-    pub fn pivot(&mut self, graph: &Graph, e: Expr, origin: &str, rows: &[String]) {
+    pub fn pivot(&mut self, graph: &Graph, e: Expr, called: &str, origin: &str, rows: &[String]) {
         let (_, factors) = graph.as_term(e);
         for (base, _) in factors {
-            self.push(graph, base, GuardKind::Pivot, origin, rows);
+            self.push(graph, base, GuardKind::Pivot, called, origin, rows);
         }
     }
 
     /// A pivot of M_d. Even powers are watched by their signed base: J cos²θ stays positive while cos θ runs through
     /// zero. `Err` with the text of a pivot that is a negative number.
-    pub fn positive(&mut self, graph: &mut Graph, e: Expr, origin: &str, rows: &[String]) -> Result<(), String> {
+    pub fn positive(
+        &mut self,
+        graph: &mut Graph,
+        e: Expr,
+        called: &str,
+        origin: &str,
+        rows: &[String],
+    ) -> Result<(), String> {
         let (coefficient, factors) = graph.as_term(e);
         let mut rest = Vec::new();
         for (base, exponent) in factors {
             if exponent % 2 == 0 {
-                self.push(graph, base, GuardKind::Pivot, origin, rows);
+                self.push(graph, base, GuardKind::Pivot, called, origin, rows);
             } else {
                 rest.push((base, exponent));
             }
@@ -39,30 +46,30 @@ impl Guards {
             Some(number) if number.is_negative() => Err(graph.display(e)),
             Some(_) => Ok(()),
             None => {
-                self.push(graph, rest, GuardKind::Positive, origin, rows);
+                self.push(graph, rest, GuardKind::Positive, called, origin, rows);
                 Ok(())
             }
         }
     }
 
     /// What some expression divides by, and what depends on more than parameters.
-    pub fn divisors(&mut self, graph: &Graph, roots: &[Expr], origin: &str, rows: &[String]) {
+    pub fn divisors(&mut self, graph: &Graph, roots: &[Expr], called: &str, origin: &str, rows: &[String]) {
         for e in graph.reachable(roots) {
             if let Node::Product(factors) = graph.node(e) {
                 let below = factors.iter().filter(|(base, k)| *k < 0 && graph.stage(*base) > Stage::Parameter);
-                below.for_each(|(base, _)| self.push(graph, *base, GuardKind::Pivot, origin, rows));
+                below.for_each(|(base, _)| self.push(graph, *base, GuardKind::Pivot, called, origin, rows));
             }
         }
     }
 
     /// Adds what another chart needs of the parameters.
     pub fn of_parameters(&mut self, graph: &Graph, guards: Vec<Guard>) {
-        for Guard { expr, kind, origin, rows, .. } in guards {
-            self.push(graph, expr, kind, &origin, &rows);
+        for Guard { expr, name, kind, origin, rows, .. } in guards {
+            self.push(graph, expr, kind, &name, &origin, &rows);
         }
     }
 
-    fn push(&mut self, graph: &Graph, expr: Expr, kind: GuardKind, origin: &str, rows: &[String]) {
+    fn push(&mut self, graph: &Graph, expr: Expr, kind: GuardKind, called: &str, origin: &str, rows: &[String]) {
         if kind == GuardKind::Pivot && graph.bounds(expr).exclude_zero() {
             return;
         }
@@ -76,9 +83,25 @@ impl Guards {
             return;
         }
         list.retain(|g| g.expr != expr);
-        let (name, origin, rows) = (graph.display(expr), origin.to_owned(), rows.to_vec());
-        list.push(Guard { expr, name, kind, origin, rows });
+        let name = match readable(graph, expr, called) {
+            text if text != called => text,
+            // The factors of one pivot.
+            _ => match list.iter().filter(|g| g.name.starts_with(called)).count() {
+                0 => called.to_owned(),
+                others => format!("{called}, factor {}", others + 1),
+            },
+        };
+        list.push(Guard { expr, name, kind, origin: origin.to_owned(), rows: rows.to_vec(), start: None });
     }
+}
+
+/// A name longer than this is none.
+const LONGEST: usize = 160;
+
+/// The text of an expression as its name, or what it is `called` where the text is too long for one.
+pub fn readable(graph: &Graph, e: Expr, called: &str) -> String {
+    let text = graph.display(e);
+    if text.contains('…') || text.chars().count() > LONGEST { called.to_owned() } else { text }
 }
 
 /// Drops the pivots of the tangent basis that cancelled: where no function of the state divides by anything that is not
@@ -126,7 +149,7 @@ pub fn add_parameter_divisors(equations: &mut Equations) {
     }
     let mut guards = Guards { state: Vec::new(), parameters: std::mem::take(&mut equations.parameter_guards) };
     for e in divisors {
-        guards.push(graph, e, GuardKind::Pivot, "a divisor", &[]);
+        guards.push(graph, e, GuardKind::Pivot, "a divisor of parameters", "a divisor", &[]);
     }
     equations.parameter_guards = guards.parameters;
 }

@@ -1,61 +1,169 @@
 //! The choice of independent speeds, judged at the start that the model names.
 //!
 //! A choice is made from the declarations alone, because it names the fields of the state. Where `start` and `nominal`
-//! give numbers for everything that a pivot depends on, a pivot that vanishes there is an error with the line that
-//! mends it. The numbers never enter the equations.
+//! give numbers for everything that a figure depends on, it is judged there, once the start is closed: rows that depend on each
+//! other there and pivots that vanish there are errors. What is no error is told as a figure: the relative pivot of a chart,
+//! |det [C; L]| over the volumes of the rows of C and of L. It is one where the independent speeds are at right angles to all
+//! that the constraints bind, and zero where they do not determine the others. The numbers never enter the equations.
 
-use super::carriers::Carriers;
+use super::carriers::{CarriedRow, Carriers};
 use super::constraints::DifferentiatedRow;
 use super::messages;
+use super::start::{Start, dot};
 use super::tangent::Tangent;
 use crate::model::InitialSystem;
-use crate::symbolic::{Expr, Symbol};
+use crate::symbolic::{Expr, Graph};
 use crate::syntax::Diagnostics;
 
 /// Below this fraction of its terms a figure is zero.
 const VANISHES: f64 = 1e-9;
 
-/// Reports the first pivot of the tangent basis that vanishes at the start.
+/// Rows of which less than this is left beside the others depend on them. Where they do so at a point, Newton's method reaches
+/// the point to half of the digits.
+const DEPENDS: f64 = 1e-6;
+
+/// Judges the start itself, the rows at it, and the pivots of the tangent basis at it; gives the start, closed.
 pub fn judge(
     system: &InitialSystem,
     rows: &[DifferentiatedRow],
+    kept: &[usize],
+    carried: &[CarriedRow],
     carriers: &Carriers,
     tangent: &Tangent,
     errors: &mut Diagnostics,
-) {
-    let Some(elimination) = &tangent.elimination else { return };
+) -> Start {
+    let mut start = Start::of(system);
+    if let Err(open) = start.close(system, rows, carriers) {
+        let open: Vec<(&str, f64)> = open.iter().map(|(row, rest)| (rows[*row].name.as_str(), *rest)).collect();
+        errors.report(system.places.start, messages::start_not_closed(&open));
+        return start;
+    }
     let graph = &system.graph;
-    let known = |s: Symbol| {
-        let given = system.start.iter().chain(&system.nominal).find(|(symbol, _)| *symbol == s).map(|(_, v)| *v);
-        given.or((s == system.time).then_some(0.0)).or((s == graph.pi_symbol()).then_some(std::f64::consts::PI))
-    };
-    let all_known =
-        |e: Expr| graph.symbols_of(&[e]).into_iter().all(|s| known(s).is_some()) && graph.given_in(&[e]).is_empty();
-    let value = |e: Expr| graph.evaluate_scaled(&[e], &|s| known(s).unwrap_or(f64::NAN))[0];
+    let gradients: Vec<Option<Vec<f64>>> = carried.iter().map(|row| numbers(&start, graph, &row.gradient)).collect();
+    let gradients: Option<Vec<Vec<f64>>> = gradients.into_iter().collect();
+    if let Some(gradients) = &gradients
+        && let Some((row, weights)) = dependence(gradients)
+    {
+        let name = |at: usize| rows[kept[carried[at].row]].name.as_str();
+        let parts: Vec<(&str, f64)> = weights.iter().map(|(at, weight)| (name(*at), *weight)).collect();
+        errors.report(rows[kept[carried[row].row]].span, messages::dependent_at_start(name(row), &parts));
+        return start;
+    }
+    let Some(elimination) = &tangent.elimination else { return start };
     for (pivot, column) in elimination.values.iter().zip(&elimination.pivots) {
-        if graph.as_number(*pivot).is_some() || !all_known(*pivot) {
+        if graph.as_number(*pivot).is_some() || !start.knows(graph, *pivot) {
             continue;
         }
-        let (v, size) = value(*pivot);
+        let (v, size) = start.value(graph, *pivot);
         if !v.is_finite() || v.abs() > VANISHES * size {
             continue;
         }
-        let better = tangent.gradients.entries().iter().all(|e| all_known(*e)).then(|| {
-            let entry = |i: usize, j: usize| value(tangent.gradients.get(i, j)).0;
-            let numbers = (0..tangent.gradients.rows())
-                .map(|i| (0..tangent.gradients.columns()).map(|j| entry(i, j)).collect())
-                .collect();
-            line(system, carriers, numbers)
-        });
+        let better = gradients.as_ref().and_then(|gradients| line(system, carriers, gradients.clone()));
         let place = match system.independent.first() {
             Some(choice) => choice.span,
             None => tangent.rows.first().map_or(system.places.model, |row| rows[*row].span),
         };
         let (text, name) = (graph.display(*pivot), graph.name(carriers.speeds[*column]));
         let by_user = !system.independent.is_empty();
-        errors.report(place, messages::singular_at_start(&text, name, by_user, better.flatten().as_deref()));
-        return;
+        errors.report(place, messages::singular_at_start(&text, name, by_user, better.as_deref()));
+        return start;
     }
+    start
+}
+
+/// The relative pivot of a chart at the start; `None` where the start does not tell, or where nothing was chosen.
+pub fn relative_pivot(
+    system: &InitialSystem,
+    start: &Start,
+    carried: &[CarriedRow],
+    carriers: &Carriers,
+    (chart, tangent): (usize, &Tangent),
+) -> Option<f64> {
+    tangent.elimination.as_ref()?;
+    if system.start.is_empty() {
+        return None;
+    }
+    let row = |gradient: &[Expr]| numbers(start, &system.graph, gradient);
+    let c: Vec<Vec<f64>> = carried.iter().map(|carried| row(&carried.gradient)).collect::<Option<_>>()?;
+    let l: Vec<Vec<f64>> = match (&tangent.readings, system.independent.get(chart)) {
+        (Some(_), Some(choice)) => choice.speeds.iter().map(|speed| row(&speed.gradient)).collect::<Option<_>>()?,
+        _ => {
+            let unit = |speed| carriers.speeds.iter().map(|w| f64::from(u8::from(w == speed))).collect();
+            tangent.speeds.iter().map(unit).collect()
+        }
+    };
+    let (beside, alone) = (remainders(&[c.clone(), l.clone()].concat()), remainders(&l));
+    let relative = beside[c.len()..].iter().product::<f64>() / alone.iter().product::<f64>();
+    relative.is_finite().then(|| rounded(relative.min(1.0)))
+}
+
+/// The figure of a guard at the start, where all that it depends on has a value.
+pub fn figure(start: &Start, graph: &Graph, e: Expr) -> Option<f64> {
+    let known = start.knows(graph, e).then(|| start.value(graph, e).0)?;
+    known.is_finite().then(|| rounded(known))
+}
+
+/// Three digits: what is told must not depend on the machine that tells it.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}
+
+/// The values of expressions, zero where they vanish among their terms; `None` where one is not known.
+fn numbers(start: &Start, graph: &Graph, entries: &[Expr]) -> Option<Vec<f64>> {
+    let number = |e: &Expr| {
+        let (value, size) = start.knows(graph, *e).then(|| start.value(graph, *e))?;
+        let zero = value.abs() <= VANISHES * size;
+        value.is_finite().then_some(if zero { 0.0 } else { value })
+    };
+    entries.iter().map(number).collect()
+}
+
+/// What is left of the length of each row beside the rows before it.
+fn remainders(rows: &[Vec<f64>]) -> Vec<f64> {
+    let mut basis: Vec<Vec<f64>> = Vec::new();
+    let mut left = Vec::new();
+    for row in rows {
+        let mut rest = row.clone();
+        for _ in 0..2 {
+            for direction in &basis {
+                let along = dot(&rest, direction);
+                rest.iter_mut().zip(direction).for_each(|(r, d)| *r -= along * d);
+            }
+        }
+        let length = dot(&rest, &rest).sqrt();
+        left.push(length);
+        if length > 0.0 {
+            basis.push(rest.iter().map(|r| r / length).collect());
+        }
+    }
+    left
+}
+
+/// The first row that depends on those before it, with its weights over them.
+fn dependence(rows: &[Vec<f64>]) -> Option<(usize, Vec<(usize, f64)>)> {
+    // Orthonormal directions, each with its weights over the rows.
+    let mut basis: Vec<(Vec<f64>, Vec<f64>)> = Vec::new();
+    for (at, row) in rows.iter().enumerate() {
+        let whole = dot(row, row).sqrt();
+        let (mut rest, mut weights) = (row.clone(), vec![0.0; rows.len()]);
+        weights[at] = 1.0;
+        for _ in 0..2 {
+            for (direction, of) in &basis {
+                let along = dot(&rest, direction);
+                rest.iter_mut().zip(direction).for_each(|(r, d)| *r -= along * d);
+                weights.iter_mut().zip(of).for_each(|(w, o)| *w -= along * o);
+            }
+        }
+        let length = dot(&rest, &rest).sqrt();
+        if length <= DEPENDS * whole {
+            // rest = row + Σ weights·rows = 0.
+            let size = |j: usize| dot(&rows[j], &rows[j]).sqrt();
+            let parts = (0..at).map(|j| (j, -weights[j])).filter(|(j, w)| w.abs() * size(*j) > DEPENDS * whole);
+            return Some((at, parts.collect()));
+        }
+        basis.push((rest.iter().map(|r| r / length).collect(), weights.iter().map(|w| w / length).collect()));
+    }
+    None
 }
 
 /// The `independent` statement that full pivoting finds; `None` where the rows are dependent.
@@ -84,4 +192,29 @@ fn line(system: &InitialSystem, carriers: &Carriers, mut c: Vec<Vec<f64>>) -> Op
         name.strip_prefix("dot_").map_or_else(|| name.to_owned(), |q| format!("dot({q})"))
     });
     Some(format!("#[independent({})]", written.collect::<Vec<_>>().join(", ")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_dependent_row_is_told_by_the_rows_before_it() {
+        let rows = [vec![1.0, 1.0, 0.0], vec![0.0, 2.0, 1.0], vec![3.0, -1.0, -2.0], vec![0.0, 0.0, 1.0]];
+        let (row, weights) = dependence(&rows).expect("the third is 3 times the first less 2 times the second");
+        assert_eq!(row, 2);
+        let expected = [(0, 3.0), (1, -2.0)];
+        let close = |(found, expected): (&(usize, f64), &(usize, f64))| {
+            found.0 == expected.0 && (found.1 - expected.1).abs() < 1e-13
+        };
+        assert!(weights.len() == 2 && weights.iter().zip(&expected).all(close), "{weights:?}");
+        assert!(dependence(&rows[1..]).is_none());
+    }
+
+    #[test]
+    fn remainders_multiply_to_the_determinant() {
+        let rows = [vec![2.0, 1.0, 0.0], vec![1.0, 3.0, 1.0], vec![0.0, 1.0, 4.0]];
+        let volume: f64 = remainders(&rows).iter().product();
+        assert!((volume - 18.0).abs() < 1e-13);
+    }
 }

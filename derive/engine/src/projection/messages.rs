@@ -1,5 +1,7 @@
 //! Every sentence that the projection can say to a user, in one place.
 
+use crate::symbolic::{Expr, Graph};
+
 /// Two kinds of rows say different things about the same velocities.
 pub(crate) fn contradictory(name: &str, combination: &str) -> String {
     format!(
@@ -80,20 +82,71 @@ pub(crate) fn singular_at_start(pivot: &str, dependent: &str, by_user: bool, bet
     format!("{who} not determine `{dependent}` at the start, where the pivot {pivot} vanishes; {mend}")
 }
 
+/// f = 0 is not reached from the start.
+pub(crate) fn start_not_closed(open: &[(&str, f64)]) -> String {
+    let rows: Vec<String> = open.iter().map(|(name, rest)| format!("`{name}` by {rest:.2e}")).collect();
+    format!(
+        "the start does not close: Newton's method ends where the two sides of constraints differ, {}; give values nearer to \
+         a configuration of the mechanism, or other nominal parameters",
+        rows.join(", ")
+    )
+}
+
+/// Rows that are independent elsewhere depend on each other at the start.
+pub(crate) fn dependent_at_start(name: &str, parts: &[(&str, f64)]) -> String {
+    let terms = parts.iter().map(|(name, weight)| match format!("{weight:.3}").as_str() {
+        "1.000" => format!("`{name}`"),
+        "-1.000" => format!("-`{name}`"),
+        text => format!("{}*`{name}`", text.trim_end_matches('0').trim_end_matches('.')),
+    });
+    let combination = if parts.is_empty() { "0".to_owned() } else { terms.collect::<Vec<_>>().join(" + ") };
+    format!(
+        "constraint `{name}` depends on the others at the start: its rates are those of {combination} there, so that no \
+         choice of speeds determines the motion; start elsewhere"
+    )
+}
+
+/// What the start says of a chart.
+pub(crate) fn judged(chart: usize, relative_pivot: f64) -> String {
+    let which = if chart == 0 { "the independent speeds".to_owned() } else { format!("chart {chart}") };
+    format!(
+        "at the start that the model names, closed, the relative pivot of {which} is {relative_pivot}: |det [C; L]| over the \
+         volumes of the rows of C and of L, between 0, where they do not determine the other speeds, and 1"
+    )
+}
+
 /// A chart repeats another one.
 pub(crate) fn chart_twice(of_the_state: bool) -> String {
     let which = if of_the_state { "the first `independent` statement" } else { "an earlier `independent` statement" };
     format!("{which} names the same speeds; a further chart must choose others")
 }
 
-/// An independent speed is named twice.
-pub(crate) fn independent_twice(name: &str) -> String {
-    format!("the independent speed `{name}` is named twice")
+/// [C; L] is singular.
+pub(crate) fn combinations_not_independent(name: &str, combination: &str) -> String {
+    if name.is_empty() {
+        return "these speeds are not independent of each other and of the constraints; choose others".to_owned();
+    }
+    format!(
+        "these speeds are not independent of each other and of the constraints: the speeds enter `{name}` as they enter \
+         {combination}; choose others"
+    )
 }
 
-/// An entry of `independent` is no speed.
-pub(crate) fn not_a_speed(speeds: &[&str]) -> String {
-    format!("an independent speed must be one of {}; for other combinations give `complement`", list(speeds))
+/// `2*a - cos(theta)*b` over names.
+pub(crate) fn combination(graph: &Graph, parts: &[(&str, Expr)]) -> String {
+    if parts.is_empty() {
+        return "0".to_owned();
+    }
+    let terms = parts.iter().map(|(name, c)| {
+        let name = format!("`{name}`");
+        match graph.display(*c).as_str() {
+            "1" => name,
+            "-1" => format!("-{name}"),
+            text if text.contains(' ') => format!("({text})*{name}"),
+            text => format!("{text}*{name}"),
+        }
+    });
+    terms.collect::<Vec<_>>().join(" + ")
 }
 
 /// k is not n - m.
@@ -143,6 +196,20 @@ pub(crate) fn division_by_zero_arises() -> String {
     "the equations of this model divide by zero everywhere: a divisor vanishes once the configuration and the \
      constraints are put in, or a tangent stands at a quarter turn"
         .to_owned()
+}
+
+/// 1/0 in an output, once the state is put in.
+pub(crate) fn output_divides_by_zero(name: &str) -> String {
+    format!("the output `{name}` divides by zero in every state: a divisor vanishes where the constraints hold")
+}
+
+/// A merged row has no multiplier of its own.
+pub(crate) fn reaction_shared(name: &str, carriers: &[String]) -> String {
+    let names: Vec<&str> = carriers.iter().map(String::as_str).collect();
+    format!(
+        "constraint `{name}` has no reaction of its own: its derivative is a combination of {}, which carry it; mention theirs",
+        list(&names)
+    )
 }
 
 /// M_d is singular, whatever the parameters.

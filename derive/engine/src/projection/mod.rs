@@ -8,16 +8,19 @@
 //! | [`elimination`] | C_d⁻¹ by Gauss-Jordan on the arena, pivots chosen and recorded |
 //! | [`carriers`] | partial velocities of a configuration (4.9), and the rows that still bind |
 //! | [`tangent`] | the basis D and the bias a_u, by pivots |
+//! | [`combined`] | the same for speeds that are combinations of the carriers |
 //! | [`chart`] | a choice of independent speeds, and the motion in terms of them |
 //! | [`back`] | carriers and independent speeds from v |
 //! | [`complement`] | the basis D as the user gives it |
 //! | [`acceleration`] | the rows that bind only the rates of the state's speeds |
 //! | [`given`] | the basis D from v = g(u, x, t) (5.8), (5.9) |
+//! | [`start`] | the start that the model names, closed |
 //! | [`judge`] | the choice of speeds at the start that the model names |
 //! | [`dynamics`] | M_d and h_u* (4.10), (5.6) |
 //! | [`motion`] | the rates u̇ of the state's speeds |
 //! | [`factorisation`] | L D Lᵀ along the zero pattern |
 //! | [`reactions`] | λ for all rows in the initial space |
+//! | [`mod@outputs`] | what the model tells besides its motion |
 //! | [`guards`] | every quantity by which the result divides |
 //! | [`mod@project`] | the steps in order |
 //! | [`equations`] | the result |
@@ -27,6 +30,7 @@ pub mod acceleration;
 pub mod back;
 pub mod carriers;
 pub mod chart;
+pub mod combined;
 pub mod complement;
 pub mod constraints;
 pub mod dependence;
@@ -40,13 +44,16 @@ pub mod judge;
 pub mod lagrange;
 pub(crate) mod messages;
 pub mod motion;
+pub mod outputs;
 pub mod project;
 pub mod reactions;
+pub mod start;
 pub mod tangent;
 #[cfg(test)]
 mod tests;
 
 pub use equations::{ChartEquations, Equations, Guard, GuardKind, Level, RowFacts};
+pub use outputs::{OutputFacts, Outputs};
 pub use project::{TANGENT_PIVOT, project};
 
 use crate::symbolic::{Expr, Graph};
@@ -58,6 +65,9 @@ pub trait Simplifier {
     fn one(&mut self, graph: &mut Graph, e: Expr) -> Expr;
     /// Cheaper forms of several expressions that are computed together.
     fn all(&mut self, graph: &mut Graph, roots: &[Expr]) -> Vec<Expr>;
+    /// These have the form that they will keep: what is made of them need not be simplified through them where they are
+    /// large.
+    fn settle(&mut self, _: &mut Graph, _: &[Expr]) {}
 }
 
 /// Leaves everything as it is.

@@ -35,14 +35,17 @@ pub fn solve(
     errors: &mut Diagnostics,
 ) -> Option<Solution> {
     if bound.unguarded
-        && let Some(solution) = by_projection(&mut system.graph, simplifier, bound, dynamics, guards, names)
+        && let Some(solution) = by_projection(&mut system.graph, simplifier, (tangent, bound), dynamics, guards, names)
     {
         return Some(solution);
     }
     if bound.unguarded {
         // M is not definite on all motions of the state: only D3 is left.
-        for pivot in bound.elimination.iter().flat_map(|e| &e.values) {
-            guards.pivot(&system.graph, *pivot, "the constraints do not determine the accelerations by it", names);
+        if let Some(elimination) = &bound.elimination {
+            for (pivot, called) in elimination.values.iter().zip(elimination.pivot_names(names)) {
+                let origin = "the constraints do not determine the accelerations by it";
+                guards.pivot(&system.graph, *pivot, &called, origin, names);
+            }
         }
     }
     let name = |system: &InitialSystem, i: usize| system.graph.name(bound.speeds[i]).to_owned();
@@ -55,7 +58,8 @@ pub fn solve(
         }
     };
     for (p, pivot) in factors.order.iter().zip(&factors.pivots) {
-        if let Err(text) = guards.positive(&mut system.graph, *pivot, INERTIA, &[]) {
+        let called = format!("pivot of D M D\u{1d40} for {}", name(system, *p));
+        if let Err(text) = guards.positive(&mut system.graph, *pivot, &called, INERTIA, &[]) {
             errors.report(span, messages::negative_inertia(&name(system, *p), &text));
         }
     }
@@ -78,23 +82,27 @@ const INERTIA: &str = "a pivot of D M D\u{1d40} (4.10)";
 fn by_projection(
     graph: &mut Graph,
     simplifier: &mut dyn Simplifier,
-    bound: &Bound,
+    (tangent, bound): (&Tangent, &Bound),
     dynamics: &Dynamics,
     guards: &mut Guards,
     names: &[String],
 ) -> Option<Solution> {
+    let speeds = &tangent.speeds;
     let mut found = guards.clone();
     let inertia = factorise(graph, simplifier, &dynamics.speed_inertia).ok()?;
-    for pivot in &inertia.pivots {
-        found.positive(graph, *pivot, INERTIA, &[]).ok()?;
+    for (p, pivot) in inertia.order.iter().zip(&inertia.pivots) {
+        let called = format!("pivot of D M D\u{1d40} for {}", graph.name(speeds[*p]));
+        found.positive(graph, *pivot, &called, INERTIA, &[]).ok()?;
     }
     let free = inertia.solve(graph, simplifier, &dynamics.speed_forces);
     let compliance = columns(graph, simplifier, &inertia, &bound.gradients);
     let metric = bound.gradients.mul(graph, &compliance);
     let metric = metric.map(|entries| entries.iter().map(|e| simplifier.one(graph, *e)).collect());
     let factors = factorise(graph, simplifier, &metric).ok()?;
-    for pivot in &factors.pivots {
-        found.positive(graph, *pivot, "the constraints depend on each other where it vanishes (3.6)", names).ok()?;
+    for (p, pivot) in factors.order.iter().zip(&factors.pivots) {
+        let called = format!("pivot of M_c for {}", names[*p]);
+        let origin = "the constraints depend on each other where it vanishes (3.6)";
+        found.positive(graph, *pivot, &called, origin, names).ok()?;
     }
     let mut right = bound.gradients.mul_vec(graph, &free);
     for (value, bias) in right.iter_mut().zip(&bound.bias) {

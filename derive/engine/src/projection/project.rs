@@ -8,7 +8,8 @@ use super::constraints::differentiate;
 use super::dependence::{self, Sorted, check_redundant, sort};
 use super::dynamics::to_state;
 use super::equations::Equations;
-use super::judge::judge;
+use super::judge::{figure, judge, relative_pivot};
+use super::outputs::{bind, outputs};
 use super::reactions::{Motion, rates as rates_of, reactions, shared};
 use super::tangent::tangent;
 use super::{Simplifier, constraints::DifferentiatedRow, lagrange, messages};
@@ -39,7 +40,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     let before = system.graph.assumptions();
     let tangent = tangent(&mut system, simplifier, &rows, &sorted.kept, &carried, &carriers, 0, &mut errors);
     let Some(tangent) = tangent else { return Err(errors) };
-    judge(&system, &rows, &carriers, &tangent, &mut errors);
+    let start = judge(&system, &rows, &sorted.kept, &carried, &carriers, &tangent, &mut errors);
     if !errors.is_empty() {
         return Err(errors);
     }
@@ -50,7 +51,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     }
     let chart = chart(&mut system, simplifier, &rows, &sorted.kept, &carriers, tangent, &mut errors);
     let Some(chart) = chart else { return Err(errors) };
-    let further =
+    let mut further =
         further_charts(&mut system, simplifier, &rows, &sorted.kept, &carried, &carriers, &before, &mut errors);
     let coordinate_rates = chart.coordinate_rates(&mut system, simplifier, &carriers);
     let velocities = chart.velocities(&mut system, simplifier, &carriers);
@@ -70,16 +71,25 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     let names: Vec<String> = sorted.kept.iter().map(|i| rows[*i].name.clone()).collect();
     for pivot in &reactions.pivots {
         let origin = "the reactions are not determined where it vanishes (3.6)";
-        guards.positive(&mut system.graph, *pivot, origin, &names).ok();
+        let called = format!("pivot of C C\u{1d40} of {}", names.join(", "));
+        guards.positive(&mut system.graph, *pivot, &called, origin, &names).ok();
     }
-    errors.result(())?;
+    if !errors.is_empty() {
+        return Err(errors);
+    }
     let on_motions = |graph: &mut Graph, e: Expr| to_state(graph, &carriers, &tangent, &[e])[0];
     let (multipliers, weights) = shared(&mut system.graph, simplifier, &sorted, reactions.multipliers, on_motions);
-    guards.divisors(&system.graph, &weights, "the redundant rows have no finite share of it where it vanishes", &names);
+    let origin = "the redundant rows have no finite share of it where it vanishes";
+    guards.divisors(&system.graph, &weights, "divisor of the redundant rows' shares", origin, &names);
     let multipliers: Vec<Expr> = multipliers.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
     let names = name_multipliers(&mut system, &rows, &sorted, &multipliers);
     let x = system.graph.vars(&system.coordinates);
     let initial_coordinates = to_state(&mut system.graph, &carriers, &tangent, &x);
+    let values = system.graph.vars(&carriers.speeds);
+    let values = system.graph.substitute(&values, &tangent.map);
+    let of = |name: &str| names.carried_by(name);
+    let outputs = outputs(&mut system, &carriers, &values, &coordinate_rates, &names.names, &of, &mut errors);
+    errors.result(())?;
     let w = carriers_of_velocities(&mut system, simplifier, &carriers);
     let mut chart_speeds = Vec::new();
     for tangent in std::iter::once(&tangent).chain(&further.tangents) {
@@ -95,13 +105,24 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     let all = sorted.rows();
     let gradients = all.iter().map(|i| rows[*i].gradient.clone()).collect();
     let positions: Vec<&DifferentiatedRow> = rows.iter().filter(|row| row.position.is_some()).collect();
+    let charts = std::iter::once(&tangent).chain(&further.tangents);
+    let relative_pivots: Vec<Option<f64>> =
+        charts.enumerate().map(|chart| relative_pivot(&system, &start, &carried, &carriers, chart)).collect();
+    let guarded = std::iter::once(&mut guards.state).chain(further.equations.iter_mut().map(|chart| &mut chart.guards));
+    for guard in guarded.flatten() {
+        guard.start = figure(&start, &system.graph, guard.expr);
+    }
+    for guard in &mut guards.parameters {
+        guard.start = figure(&start, &system.graph, guard.expr);
+    }
     let mut notes: Vec<String> = tangent.note.iter().cloned().collect();
+    notes.extend(relative_pivots.iter().enumerate().filter_map(|(at, pivot)| Some(messages::judged(at, (*pivot)?))));
     notes.extend(acceleration::notes(&system.graph, &rows, &sorted.kept, &tangent, &bound));
     notes.extend(dependence::notes(&system.graph, &rows, &sorted));
     notes.extend(further.notes);
     notes.extend(second_stage);
     notes.extend(names.notes);
-    Ok(Equations {
+    let mut equations = Equations {
         time: system.time,
         state_coordinates: carriers.coordinates.clone(),
         state_speeds: tangent.speeds.clone(),
@@ -120,6 +141,8 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         parameter_guards: guards.parameters,
         charts: further.equations,
         chart_speeds,
+        relative_pivots,
+        combined: tangent.readings.is_some(),
         carriers: carriers.speeds,
         carried_velocities,
         carried_rates,
@@ -133,6 +156,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         velocity_residual: all.iter().filter_map(|i| rows[*i].velocity).collect(),
         kinetic_energy,
         potential_energy: system.potential,
+        outputs,
         rows: all.iter().map(|i| rows[*i].facts(!sorted.kept.contains(i))).collect(),
         position_names: positions.iter().map(|row| row.name.clone()).collect(),
         multiplier_names: names.names,
@@ -143,7 +167,9 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         coordinates: system.coordinates,
         speeds: system.speeds,
         graph: system.graph,
-    })
+    };
+    bind(&mut equations);
+    Ok(equations)
 }
 
 /// f(g(q, t)) ≡ 0 for the position rows that the configuration is to satisfy. Those that it leaves to a second stage are
@@ -192,11 +218,20 @@ fn kinetic_energy(system: &mut InitialSystem) -> Expr {
 }
 
 /// The multipliers under the names of their constraints, in the order of declaration.
+#[derive(Default)]
 struct NamedMultipliers {
     names: Vec<String>,
     rows: Vec<Option<usize>>,
     multipliers: Vec<Expr>,
     notes: Vec<String>,
+    /// The rows that carry the derivative of a merged row which has no multiplier.
+    shared: Vec<(String, Vec<String>)>,
+}
+
+impl NamedMultipliers {
+    fn carried_by(&self, name: &str) -> Vec<String> {
+        self.shared.iter().find(|(row, _)| row == name).map_or(Vec::new(), |(_, carriers)| carriers.clone())
+    }
 }
 
 /// A merged position row that repeats one velocity row shares its reaction: C_f = s C_φ, so λ_f = λ_φ / s.
@@ -208,7 +243,7 @@ fn name_multipliers(
 ) -> NamedMultipliers {
     let graph = &mut system.graph;
     let all = sorted.rows();
-    let mut named = NamedMultipliers { names: vec![], rows: vec![], multipliers: vec![], notes: vec![] };
+    let mut named = NamedMultipliers::default();
     for (i, row) in rows.iter().enumerate() {
         if let Some(position) = all.iter().position(|j| *j == i) {
             named.names.push(row.name.clone());
@@ -225,6 +260,9 @@ fn name_multipliers(
                 named.rows.push(None);
                 named.multipliers.push(graph.div(multipliers[position], *s));
                 note.push_str("; both names give the one reaction");
+            } else {
+                let carriers = carriers.iter().map(|name| (*name).to_owned()).collect();
+                named.shared.push((row.name.clone(), carriers));
             }
             named.notes.push(note);
         }

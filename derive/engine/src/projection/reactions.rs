@@ -195,12 +195,16 @@ fn among_carriers(
         let r: Vec<Expr> = (0..c.columns()).map(|i| net(graph, i)).collect();
         return solve(graph, simplifier, &c, &r);
     };
+    // Below the rows of C there may be those of L, on which no force acts: with E = [C; L], r = Cᵀ λ = Eᵀ [λ; 0].
+    let (inverse, m) = (&elimination.inverse, tangent.rows.len());
+    let inverse = Matrix::from_fn(inverse.rows(), m, |i, j| inverse.get(i, j));
     let mut at_pivots = Vec::with_capacity(elimination.pivots.len());
-    for j in &elimination.pivots {
-        let r = net(graph, *j);
+    for (row, j) in elimination.pivots.iter().enumerate() {
+        let needed = inverse.row(row).iter().any(|e| !graph.is_zero(*e));
+        let r = if needed { net(graph, *j) } else { graph.zero() };
         at_pivots.push(simplifier.one(graph, r));
     }
-    let inverse = elimination.inverse.map(|entries| to_state(graph, carriers, tangent, entries));
+    let inverse = inverse.map(|entries| to_state(graph, carriers, tangent, entries));
     Reactions { multipliers: inverse.transpose().mul_vec(graph, &at_pivots), pivots: Vec::new() }
 }
 

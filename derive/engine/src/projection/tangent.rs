@@ -1,12 +1,14 @@
 //! The tangent basis D and the bias a_u, so that v = Dᵀ u + v_p and v̇ = Dᵀ u̇ + a_u.
 //!
-//! The rows that bind the carriers are eliminated among them, w = D2ᵀ u + w_p with a unit block in D2, or the user's
-//! complement is taken. With a unit block the bias is [-C_d⁻¹ c0*; 0], without any derivative of D.
+//! The rows that bind the carriers are eliminated among them, w = D2ᵀ u + w_p with a unit block in D2, or together with
+//! the combinations that the user wants as u, or the user's complement is taken. With a unit block the bias is [-C_d⁻¹ c0*; 0], without any derivative of D.
 
 use super::carriers::{CarriedRow, Carriers};
+use super::combined::combined;
 use super::complement;
 use super::constraints::DifferentiatedRow;
 use super::elimination::{Choice, Elimination, Stuck, eliminate};
+use super::guards::readable;
 use super::messages;
 use super::{Simplifier, given};
 use crate::model::{Independent, IndependentSpeed, InitialSystem};
@@ -28,12 +30,30 @@ pub struct Tangent {
     pub rows: Vec<usize>,
     /// These rows of C in terms of the carriers, one column a carrier.
     pub gradients: Matrix,
-    /// How they were eliminated; `None` where the user gave D.
+    /// How they were eliminated; `None` where the user gave D. Where u are combinations of carriers, their readings stand
+    /// below the rows.
     pub elimination: Option<Elimination>,
+    /// u as functions of the carriers, where they are combinations of these.
+    pub readings: Option<Vec<Expr>>,
     /// Pivots of this stage, in terms of the state.
     pub pivots: Vec<Expr>,
     /// The choice, told to a person.
     pub note: Option<String>,
+}
+
+impl Tangent {
+    /// What each of the pivots is, over the names of the rows that bind the carriers.
+    pub fn pivot_names(&self, graph: &Graph, rows: &[String]) -> Vec<String> {
+        let mut names = rows.to_vec();
+        match &self.elimination {
+            Some(elimination) => {
+                let speeds = self.speeds.iter().filter(|_| self.readings.is_some());
+                names.extend(speeds.map(|speed| graph.name(*speed).to_owned()));
+                elimination.pivot_names(&names)
+            }
+            None => (0..self.pivots.len()).map(|_| format!("pivot of C C\u{1d40} of {}", names.join(", "))).collect(),
+        }
+    }
 }
 
 /// The tangent basis among the carriers: the user's complement, or by elimination to the speeds of a chart.
@@ -55,7 +75,20 @@ pub fn tangent(
         return complement::given(system, simplifier, rows, kept, carried, carriers, errors);
     }
     let choice = system.independent.get(chart).cloned();
-    let independent = chosen(system, carriers, choice.as_ref(), carried.len(), errors)?;
+    if let Some(choice) = &choice {
+        let (width, m) = (carriers.speeds.len(), carried.len());
+        if choice.speeds.len() + m != width {
+            errors.report(choice.span, messages::wrong_number_independent(choice.speeds.len(), width, m));
+            return None;
+        }
+    }
+    let independent = match &choice {
+        Some(choice) => match columns(choice, carriers) {
+            Some(columns) => Some(columns),
+            None => return combined(system, simplifier, rows, kept, carried, carriers, choice, errors),
+        },
+        None => None,
+    };
     let by_user = independent.is_some();
     let width = carriers.speeds.len();
     let columns = match &independent {
@@ -109,47 +142,30 @@ pub fn tangent(
         let value = graph.neg(value);
         dependent[*pivot] = simplifier.one(graph, value);
     }
-    let note = note(graph, carriers, &elimination, &speeds, by_user);
+    simplifier.settle(graph, &dependent);
+    let names: Vec<String> = carried.iter().map(|row| rows[kept[row.row]].name.clone()).collect();
+    let note = note(graph, carriers, &elimination, &names, &speeds, by_user);
     let pivots = elimination.values.clone();
     let rows = carried.iter().map(|row| row.row).collect();
     let elimination = Some(elimination);
-    Some(Tangent { speeds, complement, map, bias: dependent, rows, gradients: c, elimination, pivots, note })
+    let bias = dependent;
+    Some(Tangent { speeds, complement, map, bias, rows, gradients: c, elimination, readings: None, pivots, note })
 }
 
-/// The positions of the independent speeds that the user names, checked; `None` where the choice is ours.
-#[allow(clippy::option_option)]
-fn chosen(
-    system: &InitialSystem,
+/// The positions of the speeds among the carriers; `None` where some are combinations of these.
+fn columns(choice: &Independent, carriers: &Carriers) -> Option<Vec<usize>> {
+    let place = |speed: &IndependentSpeed| carriers.speeds.iter().position(|w| *w == speed.symbol);
+    choice.speeds.iter().map(place).collect()
+}
+
+fn note(
+    graph: &Graph,
     carriers: &Carriers,
-    choice: Option<&Independent>,
-    rows: usize,
-    errors: &mut Diagnostics,
-) -> Option<Option<Vec<usize>>> {
-    let width = carriers.speeds.len();
-    let Some(Independent { speeds, span }) = choice else {
-        return Some(None);
-    };
-    let graph = &system.graph;
-    let mut columns = Vec::with_capacity(speeds.len());
-    for IndependentSpeed { expr, place, .. } in speeds {
-        match graph.as_symbol(*expr).and_then(|s| carriers.speeds.iter().position(|w| *w == s)) {
-            Some(j) if columns.contains(&j) => {
-                errors.report(*place, messages::independent_twice(graph.name(carriers.speeds[j])));
-            }
-            Some(j) => columns.push(j),
-            None => {
-                let names: Vec<&str> = carriers.speeds.iter().map(|s| graph.name(*s)).collect();
-                errors.report(*place, messages::not_a_speed(&names));
-            }
-        }
-    }
-    if errors.is_empty() && columns.len() + rows != width {
-        errors.report(*span, messages::wrong_number_independent(columns.len(), width, rows));
-    }
-    errors.is_empty().then_some(Some(columns))
-}
-
-fn note(graph: &Graph, carriers: &Carriers, e: &Elimination, speeds: &[Symbol], by_user: bool) -> Option<String> {
+    e: &Elimination,
+    rows: &[String],
+    speeds: &[Symbol],
+    by_user: bool,
+) -> Option<String> {
     if e.pivots.is_empty() {
         return None;
     }
@@ -159,7 +175,10 @@ fn note(graph: &Graph, carriers: &Carriers, e: &Elimination, speeds: &[Symbol], 
         .pivots
         .iter()
         .zip(&e.values)
-        .map(|(j, value)| format!("{} ({})", graph.name(carriers.speeds[*j]), graph.display(*value)))
+        .zip(e.pivot_names(rows))
+        .map(|((j, value), called)| {
+            format!("{} ({})", graph.name(carriers.speeds[*j]), readable(graph, *value, &called))
+        })
         .collect();
     Some(format!(
         "independent speeds {}, {who}; dependent speeds with their pivots: {}",

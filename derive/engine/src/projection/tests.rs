@@ -103,7 +103,8 @@ fn disk() -> Disk {
         velocities: None,
         independent: vec![],
         complement: None,
-        places: Places { model: here, kinematics: here, inertia: here, complement: here },
+        outputs: crate::model::Outputs::default(),
+        places: Places { model: here, kinematics: here, inertia: here, complement: here, start: here },
         start: vec![],
         nominal: vec![],
     };

@@ -4,82 +4,147 @@ use super::expand::{Angle, Atoms};
 use super::limits::FOLDS;
 use super::polynomial::{Atom, Monomial, Polynomial};
 use crate::symbolic::{Expr, Function, Graph, Node, Rational};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The polynomial with sums and differences of its angles drawn together wherever two terms allow it, or `None` where
 /// none do. Each step lowers the degree.
 pub fn fold(graph: &mut Graph, polynomial: &Polynomial, angles: &[Angle], atoms: &mut Atoms) -> Option<Polynomial> {
-    let mut folded = polynomial.clone();
-    let mut angles: Vec<Angle> = angles.to_vec();
+    let mut folding = Folding::new(polynomial, angles);
+    // What cannot be drawn together at one pair of terms cannot at another.
+    let mut refused: BTreeSet<((usize, usize), bool, bool)> = BTreeSet::new();
     let mut steps = 0;
-    'next: while steps < FOLDS {
-        for Pair { angles: (i, j), sine, left, right, whole, equal } in pairs(&folded, &angles) {
-            let (a, b) = (angles[i], angles[j]);
-            // Both terms carry `whole`; what one has beyond it stays.
-            let Some((atom, sign, angle)) = combined(graph, atoms, a, b, sine, equal) else { continue };
-            let rest = without(&left, if sine { a.sin } else { a.cos }, b.cos);
-            folded.push(left, whole.neg());
-            folded.push(right, if equal { whole.neg() } else { whole.clone() });
-            let coefficient = if sign { whole.neg() } else { whole };
-            folded.push(rest.mul(&Monomial::power(atom, 1)), coefficient);
-            if let Some(angle) = angle.filter(|new| angles.iter().all(|old| old.sin != new.sin)) {
-                angles.push(angle);
+    while steps < FOLDS {
+        let next = folding.first(|angles, place, equal| {
+            let key = (place.angles, place.sine, equal);
+            if refused.contains(&key) {
+                return None;
             }
-            steps += 1;
-            continue 'next;
-        }
-        break;
+            let (a, b) = (angles[place.angles.0], angles[place.angles.1]);
+            let found = combined(graph, atoms, a, b, place.sine, equal);
+            if found.is_none() {
+                refused.insert(key);
+            }
+            found
+        });
+        let Some((Place { angles, sine, left, right }, (atom, minus, angle))) = next else { break };
+        let (a, b) = (folding.angles[angles.0], folding.angles[angles.1]);
+        let rest = without(&left, if sine { a.sin } else { a.cos }, b.cos);
+        angle.into_iter().for_each(|angle| folding.know(angle));
+        // Both terms carry `whole`; what one has beyond it stays.
+        let (whole, equal) = folding.shared(&left, &right)?;
+        folding.push(left, whole.neg());
+        folding.push(right, if equal { whole.neg() } else { whole.clone() });
+        folding.push(rest.mul(&Monomial::power(atom, 1)), if minus { whole.neg() } else { whole });
+        steps += 1;
     }
-    (steps > 0).then_some(folded)
+    (steps > 0).then_some(folding.polynomial)
 }
 
 /// Two terms that differ by sin a·sin b in the place of cos a·cos b, or by cos a·sin b in that of sin a·cos b.
-struct Pair {
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
+struct Place {
     /// The positions of a and b, a behind b.
     angles: (usize, usize),
     /// Whether it is the second kind.
     sine: bool,
+    /// The term with cos b.
     left: Monomial,
+    /// The term with sin b.
     right: Monomial,
-    /// The part of their coefficients that agrees up to sign.
-    whole: Rational,
-    /// Whether the signs are equal.
-    equal: bool,
 }
 
-/// All pairs, in the order of their angles. Found term by term: a term has few angles, a polynomial may have hundreds.
-fn pairs(polynomial: &Polynomial, angles: &[Angle]) -> Vec<Pair> {
-    let mut places: BTreeMap<Atom, (usize, bool)> = BTreeMap::new();
-    for (i, angle) in angles.iter().enumerate() {
-        places.insert(angle.sin, (i, true));
-        places.insert(angle.cos, (i, false));
+/// A polynomial and where its terms may be drawn together. That is found term by term, once for each term that appears:
+/// a term has few angles, a polynomial may have hundreds.
+struct Folding {
+    polynomial: Polynomial,
+    angles: Vec<Angle>,
+    /// The angle of an atom, and whether the atom is its sine.
+    angle_of: BTreeMap<Atom, (usize, bool)>,
+    /// In the order of the angles; some may have lost a term since they were found.
+    places: BTreeSet<Place>,
+}
+
+impl Folding {
+    fn new(polynomial: &Polynomial, angles: &[Angle]) -> Self {
+        let mut folding = Folding {
+            polynomial: polynomial.clone(),
+            angles: Vec::new(),
+            angle_of: BTreeMap::new(),
+            places: BTreeSet::new(),
+        };
+        angles.iter().for_each(|angle| folding.know(*angle));
+        for left in polynomial.0.keys() {
+            folding.enter(left, true);
+        }
+        folding
     }
-    let mut found = Vec::new();
-    for (left, x) in &polynomial.0 {
+
+    fn know(&mut self, angle: Angle) {
+        if self.angles.iter().all(|old| old.sin != angle.sin) {
+            self.angle_of.insert(angle.sin, (self.angles.len(), true));
+            self.angle_of.insert(angle.cos, (self.angles.len(), false));
+            self.angles.push(angle);
+        }
+    }
+
+    /// The first place that `combine` accepts, with what it made of it; it is told whether the signs there are equal.
+    fn first<R>(&mut self, mut combine: impl FnMut(&[Angle], &Place, bool) -> Option<R>) -> Option<(Place, R)> {
+        let mut stale = Vec::new();
+        let mut found = None;
+        for place in &self.places {
+            let Some((_, equal)) = self.shared(&place.left, &place.right) else {
+                stale.push(place.clone());
+                continue;
+            };
+            if let Some(result) = combine(&self.angles, place, equal) {
+                found = Some((place.clone(), result));
+                break;
+            }
+        }
+        for place in stale {
+            self.places.remove(&place);
+        }
+        found
+    }
+
+    /// The part of the coefficients of two terms that agrees up to sign, with the sign of the first, and whether the
+    /// signs are equal; `None` where one of the terms is gone.
+    fn shared(&self, left: &Monomial, right: &Monomial) -> Option<(Rational, bool)> {
+        let (x, y) = (self.polynomial.0.get(left)?, self.polynomial.0.get(right)?);
+        let least = x.abs().min(y.abs());
+        Some((if x.is_negative() { least.neg() } else { least }, x.is_negative() == y.is_negative()))
+    }
+
+    fn push(&mut self, monomial: Monomial, coefficient: Rational) {
+        let appears = !self.polynomial.0.contains_key(&monomial);
+        self.polynomial.push(monomial.clone(), coefficient);
+        if appears {
+            self.enter(&monomial, true);
+            self.enter(&monomial, false);
+        }
+    }
+
+    /// Finds the places of a term, as the left one or as the right one.
+    fn enter(&mut self, term: &Monomial, left: bool) {
         let there: Vec<(usize, bool)> =
-            left.0.iter().filter(|(_, k)| *k >= 1).filter_map(|(atom, _)| places.get(atom).copied()).collect();
-        for (i, sine) in &there {
-            for (j, _) in there.iter().filter(|(j, second)| j < i && !second) {
-                let (a, b) = (angles[*i], angles[*j]);
-                let (first, other) = if *sine { (a.sin, a.cos) } else { (a.cos, a.sin) };
-                let rest = without(left, first, b.cos);
-                let right = rest.mul(&Monomial::power(other, 1)).mul(&Monomial::power(b.sin, 1));
-                let Some(y) = polynomial.0.get(&right) else { continue };
-                let size = |c: &Rational| if c.is_negative() { c.neg() } else { c.clone() };
-                let least = size(x).min(size(y));
-                found.push(Pair {
-                    angles: (*i, *j),
-                    sine: *sine,
-                    left: left.clone(),
-                    right,
-                    whole: if x.is_negative() { least.neg() } else { least },
-                    equal: x.is_negative() == y.is_negative(),
-                });
+            term.0.iter().filter(|(_, k)| *k >= 1).filter_map(|(atom, _)| self.angle_of.get(atom).copied()).collect();
+        for (i, first) in &there {
+            for (j, _) in there.iter().filter(|(j, second)| j < i && *second != left) {
+                let (a, b) = (self.angles[*i], self.angles[*j]);
+                let (own, partner) = if *first { (a.sin, a.cos) } else { (a.cos, a.sin) };
+                let (beside, opposite) = if left { (b.cos, b.sin) } else { (b.sin, b.cos) };
+                let other =
+                    without(term, own, beside).mul(&Monomial::power(partner, 1)).mul(&Monomial::power(opposite, 1));
+                if self.polynomial.0.contains_key(&other) {
+                    let (angles, term) = ((*i, *j), term.clone());
+                    self.places.insert(match left {
+                        true => Place { angles, sine: *first, left: term, right: other },
+                        false => Place { angles, sine: !*first, left: other, right: term },
+                    });
+                }
             }
         }
     }
-    found.sort_by_key(|pair| (pair.angles, pair.sine));
-    found
 }
 
 fn without(monomial: &Monomial, a: Atom, b: Atom) -> Monomial {

@@ -5,8 +5,9 @@
 //! Sine and cosine of the sum or difference of two other angles, or of twice another, follow from those by products.
 //! A numeric coefficient joins a parameter-only factor of its term where no other expression shares that term.
 
+use crate::symbolic::tables::{Set, Table};
 use crate::symbolic::{Expr, Function, Graph, Node, Rational, Stage};
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Operations of straight-line code at run time.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -64,13 +65,13 @@ pub fn cost(graph: &Graph, roots: &[Expr]) -> Cost {
     let nodes = running(graph, roots);
     let uses = uses(graph, roots, &nodes);
     let mut cost = Cost::default();
-    let mut angles = HashSet::new();
+    let mut angles = Set::default();
     let derived = derived_angles(graph, &nodes);
-    let mut powers = HashSet::new();
+    let mut powers = BTreeSet::new();
     // Bases of reciprocals: how many products divide by the base, and whether the first could divide outright.
     let mut divisors: BTreeMap<(Expr, u32), (usize, bool)> = BTreeMap::new();
     for e in &nodes {
-        if derived.get(e) == Some(&uses[e]) {
+        if derived.get(e) == Some(&uses.count(*e)) {
             // The angle itself is not needed.
             continue;
         }
@@ -82,7 +83,7 @@ pub fn cost(graph: &Graph, roots: &[Expr]) -> Cost {
                 for (coefficient, term) in live {
                     count += 1;
                     let unit = coefficient.is_one() || coefficient.neg().is_one();
-                    let joins = uses[term] == 1 && has_parameter_factor(graph, *term);
+                    let joins = uses.count(*term) == 1 && has_parameter_factor(graph, *term);
                     cost.multiplications += usize::from(!unit && !joins);
                 }
                 let fixed = !constant.is_zero() || count < terms.len();
@@ -144,7 +145,7 @@ const MOST_ANGLES: usize = 24;
 
 /// The angles that are twice another one or the sum or difference of two others, simpler ones first, with how many of
 /// sine and cosine are used.
-fn derived_angles(graph: &Graph, nodes: &[Expr]) -> HashMap<Expr, usize> {
+fn derived_angles(graph: &Graph, nodes: &[Expr]) -> BTreeMap<Expr, usize> {
     let mut angles: BTreeMap<Expr, usize> = BTreeMap::new();
     for e in nodes {
         if let Node::Function(Function::Sin | Function::Cos, arguments) = graph.node(*e)
@@ -153,7 +154,7 @@ fn derived_angles(graph: &Graph, nodes: &[Expr]) -> HashMap<Expr, usize> {
             *angles.entry(arguments[0]).or_default() += 1;
         }
     }
-    let mut derived = HashMap::new();
+    let mut derived = BTreeMap::new();
     if angles.len() < 2 || angles.len() > MOST_ANGLES {
         return derived;
     }
@@ -199,21 +200,16 @@ impl AngleForm {
 
 /// All work, parameters' included, roughly: the size of the expressions as shared trees. Only for ties in [`cost`].
 pub(super) fn total(graph: &Graph, roots: &[Expr]) -> usize {
-    let mut seen: HashSet<Expr> = HashSet::new();
-    let mut stack: Vec<Expr> = roots.to_vec();
     let mut size = 0;
-    while let Some(e) = stack.pop() {
-        if seen.insert(e) {
-            size += match graph.node(e) {
-                Node::Number(_) | Node::Symbol(_) => 0,
-                Node::Sum { constant, terms } => {
-                    terms.len() + usize::from(!constant.is_zero()) + terms.iter().filter(|t| !t.0.is_one()).count()
-                }
-                Node::Product(factors) => factors.iter().map(|(_, k)| k.unsigned_abs() as usize).sum(),
-                Node::Function(..) => 4,
-            };
-            for_children(graph, e, |child| stack.push(child));
-        }
+    for e in graph.reachable(roots) {
+        size += match graph.node(e) {
+            Node::Number(_) | Node::Symbol(_) => 0,
+            Node::Sum { constant, terms } => {
+                terms.len() + usize::from(!constant.is_zero()) + terms.iter().filter(|t| !t.0.is_one()).count()
+            }
+            Node::Product(factors) => factors.iter().map(|(_, k)| k.unsigned_abs() as usize).sum(),
+            Node::Function(..) => 4,
+        };
     }
     size
 }
@@ -229,36 +225,17 @@ fn has_parameter_factor(graph: &Graph, e: Expr) -> bool {
 
 /// The expressions that run, each once, in a fixed order.
 pub(super) fn running(graph: &Graph, roots: &[Expr]) -> Vec<Expr> {
-    let mut seen = HashSet::new();
-    let mut order: Vec<Expr> = Vec::new();
-    let mut stack: Vec<Expr> = roots.to_vec();
-    while let Some(e) = stack.pop() {
-        if runs(graph, e) && seen.insert(e) {
-            order.push(e);
-            for_children(graph, e, |child| stack.push(child));
-        }
-    }
-    order.sort();
-    order
+    graph.reachable_beyond(roots, Stage::Parameter)
 }
 
-fn uses(graph: &Graph, roots: &[Expr], nodes: &[Expr]) -> HashMap<Expr, usize> {
-    let mut uses: HashMap<Expr, usize> = HashMap::with_capacity(nodes.len());
+fn uses(graph: &Graph, roots: &[Expr], nodes: &[Expr]) -> Table {
+    let length = roots.iter().max().map_or(0, |e| e.index() + 1);
+    let mut uses = Table::new(length);
     for root in roots {
-        *uses.entry(*root).or_default() += 1;
+        uses.add(*root);
     }
     for e in nodes {
-        for_children(graph, *e, |child| *uses.entry(child).or_default() += 1);
+        graph.node(*e).for_children(|child| uses.add(child));
     }
     uses
-}
-
-/// Visits the children without collecting them.
-pub(super) fn for_children(graph: &Graph, e: Expr, mut visit: impl FnMut(Expr)) {
-    match graph.node(e) {
-        Node::Number(_) | Node::Symbol(_) => {}
-        Node::Sum { terms, .. } => terms.iter().for_each(|(_, t)| visit(*t)),
-        Node::Product(factors) => factors.iter().for_each(|(b, _)| visit(*b)),
-        Node::Function(_, arguments) => arguments.iter().for_each(|a| visit(*a)),
-    }
 }

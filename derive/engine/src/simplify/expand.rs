@@ -108,6 +108,7 @@ pub fn expand(graph: &Graph, e: Expr, depth: Depth, atoms: &mut Atoms, work: &mu
             _ => {}
         }
     }
+    work.hopeful(estimate(graph, &needed, depth))?;
     let mut values: BTreeMap<Expr, Polynomial> = BTreeMap::new();
     for e in needed {
         let value = match graph.node(e) {
@@ -148,6 +149,32 @@ pub fn expand(graph: &Graph, e: Expr, depth: Depth, atoms: &mut Atoms, work: &mu
     values.remove(&e)
 }
 
+/// How many products of terms the expansion would form if no two terms were alike.
+fn estimate(graph: &Graph, needed: &BTreeSet<Expr>, depth: Depth) -> f64 {
+    let mut terms: BTreeMap<Expr, f64> = BTreeMap::new();
+    let mut products = 0.0;
+    for e in needed {
+        let mut count = 1.0;
+        match graph.node(*e) {
+            Node::Sum { constant, terms: summands } => {
+                count = summands.iter().fold(f64::from(u8::from(!constant.is_zero())), |n, (_, t)| n + terms[t]);
+                products += count;
+            }
+            Node::Product(factors) => {
+                for (base, exponent) in factors.iter().filter(|(b, k)| *k > 0 && opens(graph, *b, depth)) {
+                    // Terms of a power: as many as there are ways to choose the factors.
+                    let n = terms[base];
+                    count *= (1..=*exponent).fold(1.0, |ways, k| ways * (n - 1.0 + f64::from(k)) / f64::from(k));
+                }
+                products += count;
+            }
+            Node::Number(_) | Node::Symbol(_) | Node::Function(..) => {}
+        }
+        terms.insert(*e, count);
+    }
+    products
+}
+
 fn opens(graph: &Graph, base: Expr, depth: Depth) -> bool {
     match graph.node(base) {
         Node::Number(_) => true,
@@ -169,11 +196,15 @@ pub struct Square {
     pub value: Polynomial,
 }
 
+impl Square {
+    /// Whether a power of the atom above the first occurs.
+    pub fn applies(&self, polynomial: &Polynomial) -> bool {
+        polynomial.0.keys().any(|m| m.exponent(self.atom) >= 2)
+    }
+}
+
 /// The polynomial with every power of the atom above the first replaced.
 pub fn reduce(polynomial: &Polynomial, square: &Square, work: &mut Work) -> Option<Polynomial> {
-    if polynomial.0.keys().all(|m| m.exponent(square.atom) < 2) {
-        return Some(polynomial.clone());
-    }
     let mut out = Polynomial::default();
     for (monomial, coefficient) in &polynomial.0 {
         let exponent = monomial.exponent(square.atom);

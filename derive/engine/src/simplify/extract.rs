@@ -11,32 +11,57 @@ use crate::symbolic::{self, Expr, Function, Graph, Rational, Stage};
 use egg::Id;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Classes as bits.
+/// Classes as bits. Loops over them are written out: they run for every node of every class.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Set(Vec<u64>);
 
 impl Set {
+    fn empty(count: usize) -> Self {
+        Set(vec![0; count.div_ceil(64)])
+    }
+
     fn insert(&mut self, at: usize) {
-        self.0[at / 64] |= 1 << (at % 64);
+        self.0.as_mut_slice()[at / 64] |= 1 << (at % 64);
     }
 
     fn contains(&self, at: usize) -> bool {
-        self.0[at / 64] >> (at % 64) & 1 == 1
+        self.0.as_slice()[at / 64] >> (at % 64) & 1 == 1
     }
 
     fn join(&mut self, other: &Set) {
-        self.0.iter_mut().zip(&other.0).for_each(|(a, b)| *a |= b);
+        let (own, other) = (self.0.as_mut_slice(), other.0.as_slice());
+        let mut i = 0;
+        while i < own.len() {
+            own[i] |= other[i];
+            i += 1;
+        }
     }
 
-    fn iter(&self) -> impl Iterator<Item = usize> + '_ {
-        self.0.iter().enumerate().flat_map(|(word, bits)| {
-            let mut left = *bits;
-            std::iter::from_fn(move || {
-                let bit = (left != 0).then(|| left.trailing_zeros() as usize)?;
+    fn meets(&self, other: &Set) -> bool {
+        let (own, other) = (self.0.as_slice(), other.0.as_slice());
+        let mut i = 0;
+        while i < own.len() {
+            if own[i] & other[i] != 0 {
+                return true;
+            }
+            i += 1;
+        }
+        false
+    }
+
+    /// The sum over the members.
+    fn total(&self, of: &[usize]) -> usize {
+        let words = self.0.as_slice();
+        let (mut i, mut total) = (0, 0);
+        while i < words.len() {
+            let mut left = words[i];
+            while left != 0 {
+                total += of[i * 64 + left.trailing_zeros() as usize];
                 left &= left - 1;
-                Some(word * 64 + bit)
-            })
-        })
+            }
+            i += 1;
+        }
+        total
     }
 }
 
@@ -91,39 +116,59 @@ impl Choices {
         let mut best: Vec<Option<(usize, Set)>> = vec![None; count];
         let mut own = vec![0; count];
         self.chosen = vec![None; count];
-        for _ in 0..EXTRACTION_PASSES {
-            let mut changed = false;
+        // The classes that changed their choice in the pass before, and in this one.
+        let (mut before, mut changed) = (Set::empty(count), Set::empty(count));
+        for pass in 0..EXTRACTION_PASSES {
+            let mut settled = true;
             for class in 0..count {
                 for (at, node) in self.nodes[class].iter().enumerate() {
-                    if node.once.iter().any(|(once, _)| self.banned.contains(once)) {
+                    if !self.allowed(node) {
                         continue;
                     }
-                    let mut needs = Set(vec![0; count.div_ceil(64)]);
-                    let possible = node.children.iter().all(|child| match &best[*child] {
-                        Some((_, set)) => {
-                            needs.join(set);
-                            true
-                        }
-                        None => false,
-                    });
-                    if !possible || needs.contains(class) {
+                    let Some(mut needs) = needs(node, &best) else { continue };
+                    // What needs nothing that changed costs what it did.
+                    if needs.contains(class) || pass > 0 && !needs.meets(&before) && !needs.meets(&changed) {
                         continue;
                     }
                     let alone = node.own + node.once.iter().map(|(once, w)| share(once, *w)).sum::<usize>();
-                    let total = alone + needs.iter().map(|c| own[c]).sum::<usize>();
+                    let total = alone + needs.total(&own);
                     if best[class].as_ref().is_none_or(|(old, _)| total < *old) {
                         needs.insert(class);
                         best[class] = Some((total, needs));
                         own[class] = alone;
                         self.chosen[class] = Some(at);
-                        changed = true;
+                        changed.insert(class);
+                        settled = false;
                     }
                 }
             }
-            if !changed {
+            if settled {
                 break;
             }
+            before = std::mem::replace(&mut changed, Set::empty(count));
         }
+    }
+
+    /// Whether the node needs no shared work that is banned.
+    fn allowed(&self, node: &Node) -> bool {
+        node.once.is_empty() || !node.once.iter().any(|(once, _)| self.banned.contains(once))
+    }
+
+    /// Whether the roots can be built at all from what is allowed.
+    fn possible(&self, roots: &[usize]) -> bool {
+        let mut possible = vec![false; self.nodes.len()];
+        let mut changed = true;
+        while changed {
+            changed = false;
+            for (class, nodes) in self.nodes.iter().enumerate() {
+                if !possible[class] && nodes.iter().any(|n| self.allowed(n) && n.children.iter().all(|c| possible[*c]))
+                {
+                    possible[class] = true;
+                    changed = true;
+                }
+            }
+        }
+        roots.iter().all(|root| possible[*root])
     }
 
     /// Tries other nodes for the classes in use and keeps what makes the roots together cheaper.
@@ -135,6 +180,10 @@ impl Choices {
         for once in shared.into_iter().take(EXTRACTION_BANS) {
             let before = self.chosen.clone();
             self.banned.insert(once);
+            if !self.possible(roots) {
+                self.banned.remove(&once);
+                continue;
+            }
             self.greedy();
             match self.order(roots).map(|order| (self.weight(&order), order)) {
                 Some((lower, new)) if lower < weight => (weight, order) = (lower, new),
@@ -204,6 +253,17 @@ impl Choices {
         let once: BTreeMap<Once, usize> = chosen().flat_map(|node| node.once.iter().copied()).collect();
         chosen().map(|node| node.own).sum::<usize>() + once.values().sum::<usize>()
     }
+}
+
+/// All that a node needs; `None` while a class of these has no choice yet.
+fn needs(node: &Node, best: &[Option<(usize, Set)>]) -> Option<Set> {
+    let mut needs = Set::empty(best.len());
+    let (children, mut i) = (node.children.as_slice(), 0);
+    while i < children.len() {
+        needs.join(&best[children[i]].as_ref()?.1);
+        i += 1;
+    }
+    Some(needs)
 }
 
 /// What of shared work one node bears while it is chosen alone.

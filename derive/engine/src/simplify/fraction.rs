@@ -71,17 +71,25 @@ impl Fraction {
             angles.iter().map(Angle::cos_square).collect(),
         ];
         let reduced = |p: &Polynomial, form: &[Square], work: &mut Work| {
-            form.iter().try_fold(p.clone(), |p, square| reduce(&p, square, work))
+            form.iter()
+                .try_fold(p.clone(), |p, square| if square.applies(&p) { reduce(&p, square, work) } else { Some(p) })
         };
+        let applies = |p: &Polynomial, form: &[Square]| form.iter().any(|square| square.applies(p));
         let candidates: Vec<Atom> = self.denominator.keys().rev().copied().collect();
         for atom in candidates {
             let sum = sums.get(graph, atom, depth, atoms, work).cloned();
             while self.denominator.get(&atom).is_some_and(|k| *k > 0) {
-                let quotient = forms.iter().find_map(|form| {
-                    let above = reduced(&self.numerator, form, work)?;
-                    match &sum {
-                        Some(sum) => above.divide(&reduced(&sum.numerator, form, work)?, work),
-                        None => divide_by_atom(&above, atom),
+                let above = &self.numerator;
+                let quotient = forms.iter().enumerate().find_map(|(i, form)| {
+                    let below = sum.as_ref().map(|sum| &sum.numerator);
+                    // A form that changes neither is the first one again.
+                    if i > 0 && !applies(above, form) && !below.is_some_and(|below| applies(below, form)) {
+                        return None;
+                    }
+                    match below {
+                        Some(below) => reduced(above, form, work)?.divide(&reduced(below, form, work)?, work),
+                        None if i == 0 => divide_by_atom(above, atom),
+                        None => divide_by_atom(&reduced(above, form, work)?, atom),
                     }
                 });
                 let Some(quotient) = quotient else { break };

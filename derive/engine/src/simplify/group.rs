@@ -1,10 +1,10 @@
 //! All roots: groups of them, their forms, an e-graph for each group, and the comparison with what went in.
 
-use super::cost::{cost, for_children, running, runs, total};
+use super::cost::{cost, running, runs, total};
 use super::expand::{Atoms, Depth};
 use super::extract::extract;
 use super::language::{Classes, import};
-use super::limits::{GROUP_NODES, GROUP_SEEDS, INNER_FORMS, MODEL_NODES, MODEL_WORK};
+use super::limits::{GROUP_LEAST, GROUP_NODES, GROUP_SEEDS, INNER_FORMS, MODEL_NODES, MODEL_WORK};
 use super::normalise::{forms, normalise_within, rank};
 use super::rules::grow;
 use crate::symbolic::{Expr, Graph, Node};
@@ -79,22 +79,13 @@ fn inner(graph: &mut Graph, roots: &[Expr], work: &mut usize) -> Vec<Expr> {
 /// Places of the roots that run, in order, packed while the expressions of a group stay few.
 fn groups(graph: &Graph, roots: &[Expr]) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
-    let mut seen: BTreeSet<Expr> = BTreeSet::new();
-    let visit = |seen: &mut BTreeSet<Expr>, root: Expr| {
-        let mut stack = vec![root];
-        while let Some(e) = stack.pop() {
-            if runs(graph, e) && seen.insert(e) {
-                for_children(graph, e, |child| stack.push(child));
-            }
-        }
-    };
+    let mut members: Vec<Expr> = Vec::new();
     for (i, root) in roots.iter().enumerate().filter(|(_, root)| runs(graph, **root)) {
-        visit(&mut seen, *root);
+        members.push(*root);
         match groups.last_mut() {
-            Some(group) if seen.len() <= GROUP_SEEDS => group.push(i),
+            Some(group) if running(graph, &members).len() <= GROUP_SEEDS => group.push(i),
             _ => {
-                seen.clear();
-                visit(&mut seen, *root);
+                members = vec![*root];
                 groups.push(vec![i]);
             }
         }
@@ -134,7 +125,8 @@ fn one_group(graph: &mut Graph, roots: &[Expr], nodes: &mut usize, work: &mut us
 /// The group through an e-graph that holds every seed.
 fn by_egraph(graph: &mut Graph, seeds: &[Vec<Expr>], nodes: &mut usize) -> Option<Vec<Expr>> {
     let raw: Vec<Expr> = seeds.iter().map(|all| all[0]).collect();
-    if *nodes < GROUP_NODES || running(graph, &raw).len() > GROUP_NODES / 2 {
+    let size = running(graph, &raw).len();
+    if *nodes < GROUP_NODES || !(GROUP_LEAST..=GROUP_NODES / 2).contains(&size) {
         return None;
     }
     let mut classes = Classes::new(());

@@ -4,10 +4,20 @@
 pub const POLYNOMIAL_TERMS: usize = 600;
 /// Products of terms that one expansion may form.
 pub const POLYNOMIAL_WORK: usize = 4_000;
+/// So many times the products of an expansion may exceed its bound before like terms are collected: what would exceed it
+/// further is not begun.
+pub const ALIKE: f64 = 4.0;
 /// Products of terms that the expansions of a whole model may form.
 pub const MODEL_WORK: usize = 60_000;
 /// Products of terms that the projection of a whole model may form on its way.
 pub const PROJECTION_WORK: usize = 300_000;
+/// Expressions that run in one that the projection opens on its way: a larger one only grows, and is dearer as a sum of
+/// many terms than as the products that it was made of.
+pub const OPENED: usize = 60;
+/// Expressions that run in a sum with a form of its own, beyond which it is not opened again.
+pub const SETTLED_ALONE: usize = 60;
+/// The same for a sum whose form was found together with others, which it may share more with.
+pub const SETTLED_TOGETHER: usize = 100;
 /// The highest power of a sum that is expanded.
 pub const EXPANDED_POWER: i32 = 8;
 /// How deep sums in denominators of sums are taken apart.
@@ -24,6 +34,8 @@ pub const NUMERATOR_FORMS: usize = 4;
 pub const FOLDS: usize = 60;
 /// E-nodes of one group of roots.
 pub const GROUP_NODES: usize = 800;
+/// Expressions that run in one group, below which the canonical forms leave nothing to find.
+pub const GROUP_LEAST: usize = 10;
 /// E-nodes of a whole model.
 pub const MODEL_NODES: usize = 15_000;
 /// Expressions that run in one group, before its e-graph is grown.

@@ -92,13 +92,19 @@ fn forms_within(graph: &mut Graph, e: Expr, depth: Depth, work: &mut Work) -> Op
 fn variants(numerator: &Polynomial, angles: &[Angle], atoms: &Atoms, work: &mut Work) -> Vec<Polynomial> {
     let mut all = vec![numerator.clone()];
     let mut shortest = numerator.clone();
+    let mut least = None;
     // One angle's choice may open another's, so the angles are gone through again while something changes.
     for _ in 0..angles.len() {
         let before = all.len();
         for angle in angles {
             for square in [angle.sin_square(), angle.cos_square()] {
+                if !square.applies(&shortest) {
+                    continue;
+                }
                 let Some(form) = reduce(&shortest, &square, work) else { continue };
-                if length(&form, atoms) < length(&shortest, atoms) {
+                let (new, old) = (length(&form, atoms), least.unwrap_or_else(|| length(&shortest, atoms)));
+                least = Some(new.min(old));
+                if new < old {
                     all.push(std::mem::replace(&mut shortest, form));
                 } else if angles.len() == 1 {
                     all.push(form);

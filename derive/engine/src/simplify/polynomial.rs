@@ -2,16 +2,57 @@
 //!
 //! A polynomial knows nothing of what its atoms stand for; exponents may be negative where the atom may cancel.
 
-use super::limits::{EXPANDED_POWER, POLYNOMIAL_TERMS, POLYNOMIAL_WORK};
+use super::limits::{ALIKE, EXPANDED_POWER, POLYNOMIAL_TERMS, POLYNOMIAL_WORK};
 use crate::symbolic::Rational;
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 /// An index into the table of atoms.
 pub type Atom = u32;
 
 /// A product of powers of atoms, ascending, exponents non-zero.
-#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Debug, Default)]
 pub struct Monomial(pub Vec<(Atom, i32)>);
+
+// Written out: comparisons of monomials are most of the work of expansion, and derived ones, which pass through half a
+// dozen functions for every factor, are slow where nothing is inlined.
+impl Ord for Monomial {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let (a, b) = (self.0.as_slice(), other.0.as_slice());
+        let mut i = 0;
+        while i < a.len() && i < b.len() {
+            let ((x, k), (y, l)) = (a[i], b[i]);
+            if x != y {
+                return if x < y { Ordering::Less } else { Ordering::Greater };
+            }
+            if k != l {
+                return if k < l { Ordering::Less } else { Ordering::Greater };
+            }
+            i += 1;
+        }
+        if a.len() == b.len() {
+            Ordering::Equal
+        } else if a.len() < b.len() {
+            Ordering::Less
+        } else {
+            Ordering::Greater
+        }
+    }
+}
+
+impl PartialOrd for Monomial {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Monomial {
+    fn eq(&self, other: &Self) -> bool {
+        matches!(self.cmp(other), Ordering::Equal)
+    }
+}
+
+impl Eq for Monomial {}
 
 impl Monomial {
     /// One atom to a power.
@@ -21,38 +62,50 @@ impl Monomial {
 
     /// The exponent of the atom, zero where it does not occur.
     pub fn exponent(&self, atom: Atom) -> i32 {
-        self.0.binary_search_by_key(&atom, |f| f.0).map_or(0, |at| self.0[at].1)
+        let factors = self.0.as_slice();
+        let mut i = 0;
+        while i < factors.len() && factors[i].0 < atom {
+            i += 1;
+        }
+        if i < factors.len() && factors[i].0 == atom { factors[i].1 } else { 0 }
     }
 
     /// The product.
     pub fn mul(&self, other: &Monomial) -> Monomial {
-        let (mut i, mut j) = (0, 0);
-        let (a, b) = (&self.0, &other.0);
-        let mut out = Vec::with_capacity(a.len() + b.len());
-        while i < a.len() && j < b.len() {
-            let ((x, k), (y, l)) = (a[i], b[j]);
-            if x < y {
-                out.push((x, k));
+        self.times(other, 1)
+    }
+
+    /// The product with a power of another.
+    fn times(&self, other: &Monomial, exponent: i32) -> Monomial {
+        let (a, b) = (self.0.as_slice(), other.0.as_slice());
+        let (mut i, mut j, mut n) = (0, 0, 0);
+        let mut factors = vec![(0, 0); a.len() + b.len()];
+        let out = factors.as_mut_slice();
+        while i < a.len() || j < b.len() {
+            if j == b.len() || (i < a.len() && a[i].0 < b[j].0) {
+                out[n] = a[i];
                 i += 1;
-            } else if y < x {
-                out.push((y, l));
-                j += 1;
-            } else {
-                if k + l != 0 {
-                    out.push((x, k + l));
-                }
+                n += 1;
+                continue;
+            }
+            let (atom, k) = (b[j].0, b[j].1 * exponent);
+            j += 1;
+            out[n] = (atom, k);
+            if i < a.len() && a[i].0 == atom {
+                out[n].1 = a[i].1 + k;
                 i += 1;
-                j += 1;
+            }
+            if out[n].1 != 0 {
+                n += 1;
             }
         }
-        out.extend_from_slice(&a[i..]);
-        out.extend_from_slice(&b[j..]);
-        Monomial(out)
+        factors.truncate(n);
+        Monomial(factors)
     }
 
     /// The quotient, with whatever exponents result.
     pub fn div(&self, other: &Monomial) -> Monomial {
-        self.mul(&Monomial(other.0.iter().map(|(a, k)| (*a, -k)).collect()))
+        self.times(other, -1)
     }
 
     /// Whether `other` divides this without negative exponents in the quotient.
@@ -99,6 +152,12 @@ impl Work {
     /// What is left.
     pub fn left(&self) -> usize {
         self.0
+    }
+
+    /// `None` where a computation that would form so many products cannot stay within what is left, even if most of its
+    /// terms are alike.
+    pub fn hopeful(&self, products: f64) -> Option<()> {
+        (products <= ALIKE * self.0 as f64).then_some(())
     }
 
     fn spend(&mut self, amount: usize) -> Option<()> {
@@ -232,26 +291,24 @@ impl Polynomial {
 }
 
 /// Compares exponent vectors, the first atom first.
-fn lexicographic(a: &Monomial, b: &Monomial) -> std::cmp::Ordering {
-    use std::cmp::Ordering;
+fn lexicographic(a: &Monomial, b: &Monomial) -> Ordering {
+    let (a, b) = (a.0.as_slice(), b.0.as_slice());
     let (mut i, mut j) = (0, 0);
-    loop {
-        match (a.0.get(i), b.0.get(j)) {
-            (None, None) => return Ordering::Equal,
-            (Some((_, k)), None) => return k.cmp(&0),
-            (None, Some((_, l))) => return 0.cmp(l),
-            (Some((x, k)), Some((y, l))) => {
-                let order = match x.cmp(y) {
-                    Ordering::Less => k.cmp(&0),
-                    Ordering::Greater => 0.cmp(l),
-                    Ordering::Equal => k.cmp(l),
-                };
-                if order != Ordering::Equal {
-                    return order;
-                }
-                i += usize::from(x <= y);
-                j += usize::from(y <= x);
-            }
+    while i < a.len() || j < b.len() {
+        let (mut k, mut l) = (0, 0);
+        let (own, other) =
+            (j == b.len() || (i < a.len() && a[i].0 <= b[j].0), i == a.len() || (j < b.len() && b[j].0 <= a[i].0));
+        if own {
+            k = a[i].1;
+            i += 1;
+        }
+        if other {
+            l = b[j].1;
+            j += 1;
+        }
+        if k != l {
+            return if k < l { Ordering::Less } else { Ordering::Greater };
         }
     }
+    Ordering::Equal
 }

@@ -1,15 +1,15 @@
 //! Canonical sums, products and powers.
 
 use super::rational::FOLDING_BITS;
+use super::tables::Set;
 use super::{Expr, Graph, Node, Rational, Stage};
-use std::collections::HashSet;
 
 /// A nested sum of more terms than this stays a term of its own, so that sums of sums grow linearly.
 const FLATTENED_TERMS: usize = 32;
 
 /// What is checked at run time not to vanish, and cancels therefore.
 #[derive(Clone, Debug)]
-pub struct Assumptions(HashSet<Expr>);
+pub struct Assumptions(Set);
 
 impl Graph {
     /// An exact number.
@@ -194,6 +194,11 @@ impl Graph {
     /// The rational content of an expression, with its sign, and the rest.
     pub(super) fn content(&mut self, e: Expr) -> (Rational, Expr) {
         self.primitive(e).unwrap_or((Rational::ONE, e))
+    }
+
+    /// The expression without its rational content.
+    pub fn primitive_part(&mut self, e: Expr) -> Expr {
+        self.content(e).1
     }
 
     /// The product of all.

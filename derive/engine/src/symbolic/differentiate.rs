@@ -1,7 +1,7 @@
 //! Derivatives: forward sweeps over the arena, so shared expressions are differentiated once.
 
+use super::tables::Table;
 use super::{Expr, Function, Graph, Matrix, Node, Rational, Symbol};
-use std::collections::HashMap;
 
 impl Graph {
     /// ∂e/∂symbol.
@@ -20,41 +20,41 @@ impl Graph {
     /// The derivatives of the expressions in the direction in which each symbol changes at the given rate; symbols
     /// that are not named stand still. With ẋ = A v + a0 and ṫ = 1 this is the derivative along the motion.
     pub fn along(&mut self, expressions: &[Expr], tangent: &[(Symbol, Expr)]) -> Vec<Expr> {
-        let mut rates: HashMap<Expr, Expr> = HashMap::new();
+        let mut rates = Table::new(self.len());
         for (symbol, rate) in tangent {
             if !self.is_zero(*rate) {
-                rates.insert(self.var(*symbol), *rate);
+                rates.set(self.var(*symbol), *rate);
             }
         }
         for e in self.reachable(expressions) {
-            if rates.contains_key(&e) || !self.node(e).children().iter().any(|c| rates.contains_key(c)) {
+            if rates.get(e).is_some() || !self.node(e).any_child(|c| rates.get(c).is_some()) {
                 continue;
             }
             let rate = self.rate(e, &rates);
             if !self.is_zero(rate) {
-                rates.insert(e, rate);
+                rates.set(e, rate);
             }
         }
         let zero = self.zero();
-        expressions.iter().map(|e| rates.get(e).copied().unwrap_or(zero)).collect()
+        expressions.iter().map(|e| rates.get(*e).unwrap_or(zero)).collect()
     }
 
     /// The rate of a node from the rates of its children; a child without a rate stands still.
-    fn rate(&mut self, e: Expr, rates: &HashMap<Expr, Expr>) -> Expr {
+    fn rate(&mut self, e: Expr, rates: &Table) -> Expr {
         match self.node(e).clone() {
             Node::Number(_) | Node::Symbol(_) => self.zero(),
             Node::Sum { terms, .. } => {
                 let terms: Vec<_> =
-                    terms.iter().filter_map(|(c, e)| rates.get(e).map(|rate| (c.clone(), *rate))).collect();
+                    terms.iter().filter_map(|(c, e)| rates.get(*e).map(|rate| (c.clone(), rate))).collect();
                 self.linear(Rational::ZERO, &terms)
             }
             Node::Product(factors) => {
                 let mut terms = Vec::new();
                 for (at, (base, exponent)) in factors.iter().enumerate() {
-                    if let Some(rate) = rates.get(base) {
+                    if let Some(rate) = rates.get(*base) {
                         let mut term = factors.to_vec();
                         term[at].1 -= 1;
-                        term.push((*rate, 1));
+                        term.push((rate, 1));
                         terms.push(self.power_product(Rational::integer((*exponent).into()), &term));
                     }
                 }
@@ -62,7 +62,7 @@ impl Graph {
             }
             Node::Function(function, arguments) => {
                 let zero = self.zero();
-                let rate: Vec<Expr> = arguments.iter().map(|a| rates.get(a).copied().unwrap_or(zero)).collect();
+                let rate: Vec<Expr> = arguments.iter().map(|a| rates.get(*a).unwrap_or(zero)).collect();
                 match function {
                     Function::Sin => {
                         let cos = self.cos(arguments[0]);

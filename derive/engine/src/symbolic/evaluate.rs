@@ -45,11 +45,25 @@ pub trait Algebra {
 impl Graph {
     /// The values of the expressions in an algebra.
     pub fn evaluate_in<A: Algebra>(&self, expressions: &[Expr], algebra: &mut A) -> Vec<A::Value> {
+        self.evaluate_further(expressions, algebra, &mut Vec::new())
+    }
+
+    /// [`Graph::evaluate_in`] with the values found before, by position in the arena, to which the new ones are added.
+    pub(super) fn evaluate_further<A: Algebra>(
+        &self,
+        expressions: &[Expr],
+        algebra: &mut A,
+        values: &mut Vec<Option<A::Value>>,
+    ) -> Vec<A::Value> {
         let order = self.reachable(expressions);
-        let mut values: Vec<Option<A::Value>> = vec![None; order.last().map_or(0, |e| e.index() + 1)];
+        let length = order.last().map_or(0, |e| e.index() + 1);
+        values.resize_with(length.max(values.len()), || None);
         for e in order {
-            values[e.index()] =
-                Some(self.value_of(e, algebra, &|c: Expr| values[c.index()].clone().expect("children come first")));
+            if values[e.index()].is_none() {
+                let value =
+                    self.value_of(e, algebra, &|c: Expr| values[c.index()].clone().expect("children come first"));
+                values[e.index()] = Some(value);
+            }
         }
         expressions.iter().map(|e| values[e.index()].clone().expect("roots are reachable")).collect()
     }

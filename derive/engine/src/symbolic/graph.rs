@@ -1,9 +1,10 @@
 //! The arena: interning, names, stages and reachability.
 
-use super::identity::Points;
-use super::{Expr, Given, Kind, Node, Rational, Stage, Symbol};
+use super::identity::{Points, Samples};
+use super::tables::{Interned, Set};
+use super::{Expr, Function, Given, Kind, Node, Rational, Stage, Symbol};
 use std::cell::RefCell;
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 
 /// A hash-consed arena of expressions. Equal canonical forms have equal [`Expr`]s.
 #[derive(Clone, Debug)]
@@ -11,11 +12,14 @@ pub struct Graph {
     pub(super) nodes: Vec<Node>,
     stages: Vec<Stage>,
     /// For look-up only: its order is never read.
-    interned: HashMap<Node, Expr>,
+    interned: Interned,
     symbols: Vec<(String, Kind, Expr)>,
-    pub(super) nonzero: HashSet<Expr>,
+    pub(super) nonzero: Set,
+    /// What contains a function whose sign is a choice: a root, a magnitude, a sign.
+    pub(super) branches: Set,
     pub(super) cancelled: BTreeSet<Expr>,
     pub(super) points: RefCell<Points>,
+    pub(super) samples: RefCell<Samples>,
     pub(super) given: Vec<Given>,
     pi: Symbol,
 }
@@ -32,11 +36,13 @@ impl Graph {
         let mut graph = Graph {
             nodes: Vec::new(),
             stages: Vec::new(),
-            interned: HashMap::new(),
+            interned: Interned::default(),
             symbols: Vec::new(),
-            nonzero: HashSet::new(),
+            nonzero: Set::default(),
+            branches: Set::default(),
             cancelled: BTreeSet::new(),
             points: RefCell::default(),
+            samples: RefCell::default(),
             given: Vec::new(),
             pi: Symbol(0),
         };
@@ -150,7 +156,7 @@ impl Graph {
     pub fn is_nonzero(&self, e: Expr) -> bool {
         match self.node(e) {
             Node::Number(number) => !number.is_zero(),
-            _ => self.nonzero.contains(&e),
+            _ => self.nonzero.contains(e),
         }
     }
 
@@ -161,38 +167,46 @@ impl Graph {
 
     /// The expression of a canonical node.
     pub(super) fn intern(&mut self, node: Node) -> Expr {
-        if let Some(expr) = self.interned.get(&node) {
-            return *expr;
+        let hash = node.hash();
+        if let Some(position) = self.interned.find(&self.nodes, &node, hash) {
+            return Expr(position);
         }
-        let stage = match &node {
-            Node::Symbol(symbol) => self.kind(*symbol).stage(),
-            other => other.children().into_iter().map(|c| self.stage(c)).max().unwrap_or(Stage::Constant),
-        };
+        let mut stage = Stage::Constant;
+        let mut branches = matches!(node, Node::Function(Function::Sqrt | Function::Abs | Function::Sign, _));
+        match &node {
+            Node::Symbol(symbol) => stage = self.kind(*symbol).stage(),
+            other => other.for_children(|child| {
+                if self.stage(child) > stage {
+                    stage = self.stage(child);
+                }
+                branches |= self.branches.contains(child);
+            }),
+        }
         let expr = Expr(u32::try_from(self.nodes.len()).expect("fewer than 2^32 expressions"));
-        self.nodes.push(node.clone());
+        self.nodes.push(node);
         self.stages.push(stage);
-        self.interned.insert(node, expr);
+        self.interned.push(hash);
+        if branches {
+            self.branches.insert(expr);
+        }
         expr
     }
 
     /// All expressions that the roots contain, roots included, children before parents.
     pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
-        let Some(top) = roots.iter().max() else { return Vec::new() };
-        let mut seen = vec![false; top.index() + 1];
-        for root in roots {
-            seen[root.index()] = true;
-        }
-        for index in (0..seen.len()).rev() {
-            if seen[index] {
-                match &self.nodes[index] {
-                    Node::Number(_) | Node::Symbol(_) => {}
-                    Node::Sum { terms, .. } => terms.iter().for_each(|(_, e)| seen[e.index()] = true),
-                    Node::Product(factors) => factors.iter().for_each(|(e, _)| seen[e.index()] = true),
-                    Node::Function(_, arguments) => arguments.iter().for_each(|e| seen[e.index()] = true),
-                }
-            }
-        }
-        (0..seen.len()).filter(|i| seen[*i]).map(|i| Expr(i as u32)).collect()
+        let mut set = Set::of(roots);
+        set.close_under(&self.nodes, |_| true);
+        set.to_vec()
+    }
+
+    /// What of the roots' contents changes more often than a stage, children before parents.
+    pub fn reachable_beyond(&self, roots: &[Expr], stage: Stage) -> Vec<Expr> {
+        let mut set = Set::of(roots);
+        let stages = self.stages.as_slice();
+        set.close_under(&self.nodes, |at| stages[at] > stage);
+        let mut found = set.to_vec();
+        found.retain(|e| stages[e.index()] > stage);
+        found
     }
 
     /// The symbols in the expressions, in the order of declaration.

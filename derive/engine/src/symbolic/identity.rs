@@ -266,19 +266,14 @@ impl Graph {
 
     /// Whether values in double precision show that the two differ; asked only where roots occur.
     fn contradicted(&self, a: Expr, b: Expr) -> bool {
-        let order = self.reachable(&[a, b]);
-        let branches =
-            |e: &Expr| matches!(self.node(*e), Node::Function(Function::Sqrt | Function::Abs | Function::Sign, _));
-        if !order.iter().any(branches) {
+        if !(self.branches.contains(a) || self.branches.contains(b)) {
             return false;
         }
-        // Points near and far: a root may be real only beyond some value.
+        let mut samples = self.samples.borrow_mut();
+        let found = self.evaluate_further(&[a, b], &mut Sampled { pi: self.pi_symbol() }, &mut samples.0);
         let mut finite = 0;
-        let contradiction = (0..48u64).any(|k| {
-            let reach = [2.0, 30.0, 500.0][(k % 3) as usize];
-            let unit = |s: Symbol| (mix(mix(k) ^ mix(s.index() as u64)) >> 11) as f64 / (1u64 << 53) as f64;
-            let values = self.evaluate_scaled(&[a, b], &|s| reach * (2.0 * unit(s) - 1.0));
-            let ((x, sx), (y, sy)) = (values[0], values[1]);
+        let contradiction = (0..SAMPLES).any(|k| {
+            let ((x, sx), (y, sy)) = (found[0][k], found[1][k]);
             let comparable = x.is_finite() && y.is_finite() && sx.is_finite() && sy.is_finite();
             finite += usize::from(comparable);
             comparable && (x - y).abs() > 1e-7 * (sx + sy + 1e-30)
@@ -291,6 +286,60 @@ impl Graph {
     /// to rounding.
     pub fn evaluate_scaled(&self, expressions: &[Expr], values: &dyn Fn(Symbol) -> f64) -> Vec<(f64, f64)> {
         self.evaluate_in(expressions, &mut Scaled { pi: self.pi_symbol(), values })
+    }
+}
+
+/// Points in double precision at which what contains roots is compared.
+const SAMPLES: usize = 48;
+
+/// Values in double precision at all points, with the sizes of their terms, one entry for each expression of the arena.
+#[derive(Clone, Debug, Default)]
+pub struct Samples(Vec<Option<Box<[(f64, f64)]>>>);
+
+/// [`Scaled`] at all points at once: what was compared before is not evaluated again.
+struct Sampled {
+    pi: Symbol,
+}
+
+impl Sampled {
+    /// One operation at every point.
+    fn each(&self, mut operation: impl FnMut(&mut Scaled<'_>, usize) -> (f64, f64)) -> Box<[(f64, f64)]> {
+        let mut values = vec![(0.0, 0.0); SAMPLES];
+        let (out, mut k) = (values.as_mut_slice(), 0);
+        while k < SAMPLES {
+            // Points near and far: a root may be real only beyond some value.
+            let reach = [2.0, 30.0, 500.0][k % 3];
+            let unit = |s: Symbol| (mix(mix(k as u64) ^ mix(s.index() as u64)) >> 11) as f64 / (1u64 << 53) as f64;
+            out[k] = operation(&mut Scaled { pi: self.pi, values: &|s| reach * (2.0 * unit(s) - 1.0) }, k);
+            k += 1;
+        }
+        values.into_boxed_slice()
+    }
+}
+
+impl Algebra for Sampled {
+    type Value = Box<[(f64, f64)]>;
+    fn number(&mut self, value: &Rational) -> Self::Value {
+        let x = value.to_f64();
+        vec![(x, x.abs()); SAMPLES].into_boxed_slice()
+    }
+    fn symbol(&mut self, symbol: Symbol) -> Self::Value {
+        self.each(|scaled, _| scaled.symbol(symbol))
+    }
+    fn add(&mut self, a: &Self::Value, b: &Self::Value) -> Self::Value {
+        self.each(|scaled, k| scaled.add(&a[k], &b[k]))
+    }
+    fn mul(&mut self, a: &Self::Value, b: &Self::Value) -> Self::Value {
+        self.each(|scaled, k| scaled.mul(&a[k], &b[k]))
+    }
+    fn recip(&mut self, a: &Self::Value) -> Self::Value {
+        self.each(|scaled, k| scaled.recip(&a[k]))
+    }
+    fn function(&mut self, function: Function, arguments: &[Self::Value]) -> Self::Value {
+        self.each(|scaled, k| {
+            let values: Vec<(f64, f64)> = arguments.iter().map(|a| a[k]).collect();
+            scaled.function(function, &values)
+        })
     }
 }
 

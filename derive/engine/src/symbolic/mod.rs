@@ -15,6 +15,7 @@
 //! | [`bounds`] | intervals that hold all values |
 //! | [`modular`] | arithmetic modulo a prime of 61 bits |
 //! | [`identity`] | identity decided by modular evaluation |
+//! | [`tables`] | sets of expressions and tables over them |
 //! | [`matrix`] | matrices of expressions |
 //! | [`display`] | text for messages and documentation |
 
@@ -33,6 +34,7 @@ pub mod modular;
 pub mod node;
 pub mod rational;
 pub mod substitute;
+pub mod tables;
 #[cfg(test)]
 mod tests;
 

@@ -162,6 +162,80 @@ pub enum Node {
 }
 
 impl Node {
+    /// Visits the children in the node's order, without collecting them.
+    pub fn for_children(&self, mut visit: impl FnMut(Expr)) {
+        let mut i = 0;
+        match self {
+            Node::Number(_) | Node::Symbol(_) => {}
+            Node::Sum { terms, .. } => {
+                while i < terms.len() {
+                    visit(terms[i].1);
+                    i += 1;
+                }
+            }
+            Node::Product(factors) => {
+                while i < factors.len() {
+                    visit(factors[i].0);
+                    i += 1;
+                }
+            }
+            Node::Function(_, arguments) => {
+                while i < arguments.len() {
+                    visit(arguments[i]);
+                    i += 1;
+                }
+            }
+        }
+    }
+
+    /// Whether one of the children is of a kind.
+    pub fn any_child(&self, mut is: impl FnMut(Expr) -> bool) -> bool {
+        let mut found = false;
+        self.for_children(|child| found = found || is(child));
+        found
+    }
+
+    /// A number of its own for the node's contents, the same in every process.
+    pub(super) fn hash(&self) -> u64 {
+        let step = |key: u64, value: u64| {
+            let product = (key ^ value).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            product ^ (product >> 32)
+        };
+        let rational = |key: u64, number: &Rational| match number {
+            Rational::Small(n, d) => step(step(key, *n as u64), *d as u64),
+            Rational::Big(big) => big.numer().iter_u64_digits().chain(big.denom().iter_u64_digits()).fold(key, step),
+        };
+        let mut i = 0;
+        match self {
+            Node::Number(number) => rational(1, number),
+            Node::Symbol(symbol) => step(2, symbol.0.into()),
+            Node::Sum { constant, terms } => {
+                let mut key = rational(3, constant);
+                while i < terms.len() {
+                    key = step(rational(key, &terms[i].0), terms[i].1.0.into());
+                    i += 1;
+                }
+                key
+            }
+            Node::Product(factors) => {
+                let mut key = 4;
+                while i < factors.len() {
+                    key = step(key, u64::from(factors[i].0.0) << 32 | u64::from(factors[i].1 as u32));
+                    i += 1;
+                }
+                key
+            }
+            Node::Function(function, arguments) => {
+                let mut key = step(5, function.key());
+                while i < arguments.len() {
+                    key = step(key, arguments[i].0.into());
+                    i += 1;
+                }
+                key
+            }
+        }
+    }
+
     /// The children, in the node's order.
     pub fn children(&self) -> Vec<Expr> {
         match self {

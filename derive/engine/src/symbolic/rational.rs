@@ -141,7 +141,10 @@ impl Rational {
     /// The sum.
     pub fn add(&self, other: &Self) -> Self {
         match (self, other) {
-            (Rational::Small(a, 1), Rational::Small(b, 1)) => Self::reduced(*a as i128 + *b as i128, 1),
+            (Rational::Small(a, 1), Rational::Small(b, 1)) => match a.checked_add(*b) {
+                Some(n) if n != i64::MIN => Rational::Small(n, 1),
+                _ => Self::reduced(*a as i128 + *b as i128, 1),
+            },
             (Rational::Small(a, b), Rational::Small(c, d)) => {
                 let (a, b, c, d) = (*a as i128, *b as i128, *c as i128, *d as i128);
                 match (a * d).checked_add(c * b) {
@@ -158,6 +161,10 @@ impl Rational {
         match (self, other) {
             (Rational::Small(1, 1), _) => other.clone(),
             (_, Rational::Small(1, 1)) => self.clone(),
+            (Rational::Small(a, 1), Rational::Small(b, 1)) => match a.checked_mul(*b) {
+                Some(n) if n != i64::MIN => Rational::Small(n, 1),
+                _ => Self::reduced(*a as i128 * *b as i128, 1),
+            },
             (Rational::Small(a, b), Rational::Small(c, d)) => {
                 Self::reduced(*a as i128 * *c as i128, *b as i128 * *d as i128)
             }
@@ -273,6 +280,7 @@ impl PartialOrd for Rational {
 impl Ord for Rational {
     fn cmp(&self, other: &Self) -> Ordering {
         match (self, other) {
+            (Rational::Small(a, 1), Rational::Small(b, 1)) => a.cmp(b),
             (Rational::Small(a, b), Rational::Small(c, d)) => (*a as i128 * *d as i128).cmp(&(*c as i128 * *b as i128)),
             _ => self.to_big().cmp(&other.to_big()),
         }

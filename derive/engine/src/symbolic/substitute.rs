@@ -1,7 +1,7 @@
 //! Replacing symbols by expressions.
 
+use super::tables::Table;
 use super::{Expr, Graph, Node, Symbol};
-use std::collections::HashMap;
 
 impl Graph {
     /// The expressions with each named symbol replaced, all at once.
@@ -12,20 +12,21 @@ impl Graph {
 
     /// The expressions with each named subexpression replaced, all at once.
     pub fn replace(&mut self, expressions: &[Expr], map: &[(Expr, Expr)]) -> Vec<Expr> {
-        let mut changed: HashMap<Expr, Expr> = map.iter().copied().filter(|(a, b)| a != b).collect();
-        if changed.is_empty() {
+        if map.iter().all(|(a, b)| a == b) {
             return expressions.to_vec();
         }
+        let mut changed = Table::new(self.len());
+        map.iter().filter(|(a, b)| a != b).for_each(|(a, b)| changed.set(*a, *b));
         for e in self.reachable(expressions) {
-            if changed.contains_key(&e) || !self.node(e).children().iter().any(|c| changed.contains_key(c)) {
+            if changed.get(e).is_some() || !self.node(e).any_child(|c| changed.get(c).is_some()) {
                 continue;
             }
-            let new = self.rebuild(e, |child| changed.get(&child).copied().unwrap_or(child));
+            let new = self.rebuild(e, |child| changed.get(child).unwrap_or(child));
             if new != e {
-                changed.insert(e, new);
+                changed.set(e, new);
             }
         }
-        expressions.iter().map(|e| changed.get(e).copied().unwrap_or(*e)).collect()
+        expressions.iter().map(|e| changed.get(*e).unwrap_or(*e)).collect()
     }
 
     /// The node built again, in canonical form, over other children.

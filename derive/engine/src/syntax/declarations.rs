@@ -31,6 +31,8 @@ pub struct Declarations {
     pub inputs: Vec<Name>,
     /// `#[define(..)]`, in order of appearance (which has no meaning).
     pub defines: Vec<Define>,
+    /// `#[output(..)]`, in order.
+    pub outputs: Vec<Output>,
     /// `#[function(..)]`, in order.
     pub functions: Vec<UserFunction>,
     /// `#[kinematics(..)]`, (2.1) or (2.2) or both.
@@ -171,6 +173,15 @@ pub struct UserFunction {
 /// `#[define(mu = ..)]`
 pub type Define = Assignment;
 
+/// `#[output(power = ..)]`, or `#[output(mu)]` for what the model calls so already.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Its name, with the doc comment before it.
+    pub name: Name,
+    /// What it is.
+    pub value: Expression,
+}
+
 /// A list of expressions.
 #[derive(Clone, Debug)]
 pub struct List {
@@ -264,13 +275,37 @@ pub struct Velocities {
     pub span: Span,
 }
 
-/// `#[independent(v6, dot(phi))]`
+/// `#[independent(v6, dot(phi), s = v1 + 2*v2)]`
 #[derive(Clone, Debug)]
 pub struct Independent {
     /// The independent speeds in order: u.
-    pub entries: Vec<Quantity>,
+    pub entries: Vec<IndependentEntry>,
     /// The statement's own name.
     pub span: Span,
+}
+
+impl Independent {
+    /// The names that the list introduces, with what they stand for.
+    pub fn combinations(&self) -> impl Iterator<Item = (&Name, &Expression)> {
+        self.entries.iter().filter_map(|entry| match entry {
+            IndependentEntry::Combination { name, value } => Some((name, value)),
+            IndependentEntry::Speed(_) => None,
+        })
+    }
+}
+
+/// One independent speed.
+#[derive(Clone, Debug)]
+pub enum IndependentEntry {
+    /// `v6` or `dot(phi)`
+    Speed(Quantity),
+    /// `s = v1 + 2*v2`
+    Combination {
+        /// The name that the combination gets in the state.
+        name: Name,
+        /// The combination.
+        value: Expression,
+    },
 }
 
 /// `#[complement(w1 = [..], ..)]`

@@ -4,7 +4,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Spacing, Span, TokenStream, TokenTree};
 
-use super::declarations::{Name, Quantity};
+use super::declarations::{IndependentEntry, Name, Quantity};
 use super::diagnostics::{Diagnostics, Place, messages};
 use super::expression::{Expression, is_punct};
 use super::families::element_name;
@@ -83,6 +83,12 @@ impl Entry {
         }
     }
 
+    /// The doc comments before the entry, and the entry without them.
+    pub fn documented(&self, diagnostics: &mut Diagnostics) -> (Vec<String>, Entry) {
+        let (docs, rest) = self.docs(diagnostics);
+        (docs, Entry { tokens: rest.to_vec(), end: self.end })
+    }
+
     /// Cuts off leading doc comments, which reach a derive as `#[doc = ".."]`.
     fn docs(&self, diagnostics: &mut Diagnostics) -> (Vec<String>, &[TokenTree]) {
         let mut docs = Vec::new();
@@ -117,6 +123,18 @@ impl Entry {
         let name = single_ident(left, self.place(), diagnostics);
         let value = Expression::read(right, equals, diagnostics);
         Some((name?, value))
+    }
+
+    /// The entry as `v1`, as `dot(x)`, or as `s = expression` with the doc comment before it.
+    pub fn independent(&self, diagnostics: &mut Diagnostics) -> Option<IndependentEntry> {
+        if single_equals(&self.tokens).is_none() {
+            return quantity(&self.tokens, self.place(), diagnostics).map(IndependentEntry::Speed);
+        }
+        let (docs, rest) = self.docs(diagnostics);
+        let (left, right) = rest.split_at(single_equals(rest)?);
+        let ident = single_ident(left, self.place(), diagnostics);
+        let value = Expression::read(&right[1..], right[0].span(), diagnostics);
+        Some(IndependentEntry::Combination { name: Name { ident: ident?, docs }, value })
     }
 }
 

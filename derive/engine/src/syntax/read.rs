@@ -45,6 +45,7 @@ pub(crate) fn declarations(input: DeriveInput, diagnostics: &mut Diagnostics) ->
         speeds: None,
         inputs: Vec::new(),
         defines: Vec::new(),
+        outputs: Vec::new(),
         functions: Vec::new(),
         kinematics: None,
         inertia: None,
@@ -62,8 +63,10 @@ pub(crate) fn declarations(input: DeriveInput, diagnostics: &mut Diagnostics) ->
     let mut seen: Vec<String> = Vec::new();
     for statement in &statements {
         let name = statement.name.to_string();
-        let repeatable =
-            matches!(name.as_str(), "constraint" | "define" | "function" | "start" | "inputs" | "independent");
+        let repeatable = matches!(
+            name.as_str(),
+            "constraint" | "define" | "function" | "start" | "inputs" | "independent" | "output"
+        );
         if seen.contains(&name) && !repeatable {
             diagnostics.report(&statement.name, messages::statement_twice(&name));
         } else {
@@ -160,13 +163,13 @@ fn read(statement: &Statement, model: &mut Declarations, diagnostics: &mut Diagn
         "potential_energy" => model.potential_energy = single(&entries, diagnostics),
         "constraint" => model.constraints.extend(constraints(&entries, diagnostics)),
         "define" => model.defines.extend(assignments(&entries, "mu = expression", diagnostics)),
+        "output" => model.outputs.extend(entries.iter().filter_map(|entry| output(entry, diagnostics))),
         "function" => model.functions.extend(function(&entries, diagnostics)),
         "start" => model.start.extend(assignments(&entries, "theta = 0.3", diagnostics)),
         "configuration" => model.configuration = Some(configuration(&entries, span, diagnostics)),
         "velocities" => model.velocities = Some(velocities(&entries, span, diagnostics)),
         "independent" => {
-            let entries =
-                entries.iter().filter_map(|entry| quantity(&entry.tokens, entry.place(), diagnostics)).collect();
+            let entries = entries.iter().filter_map(|entry| entry.independent(diagnostics)).collect();
             model.independent.push(Independent { entries, span });
         }
         "complement" => {
@@ -203,6 +206,16 @@ fn assignments(entries: &[Entry], form: &str, diagnostics: &mut Diagnostics) -> 
             Some(Assignment { name, value })
         })
         .collect()
+}
+
+/// `power = ..` or `mu`, with doc comments before it
+fn output(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<Output> {
+    let (docs, entry) = entry.documented(diagnostics);
+    let (ident, value) = match entry.tokens.as_slice() {
+        [token @ TokenTree::Ident(_)] => (entries::ident(token, diagnostics)?, entry.expression(diagnostics)),
+        _ => entry.named_expression("power = expression` or `mu", diagnostics)?,
+    };
+    Some(Output { name: Name { ident, docs }, value })
 }
 
 /// `v1 = ..` or `dot(x) = ..`

@@ -154,6 +154,7 @@ pub fn disk_stage() -> Equations {
             kind: GuardKind::Positive,
             origin: "pivot of M_d".to_owned(),
             rows: vec![],
+            start: None,
         })
         .filter(|guard| g.stage(guard.expr) > crate::symbolic::Stage::Parameter)
         .collect();
@@ -188,6 +189,7 @@ pub fn disk_stage() -> Equations {
         velocity_residual: Vec::new(),
         kinetic_energy: zero,
         potential_energy: None,
+        outputs: crate::projection::Outputs::default(),
         rows: Vec::new(),
         position_names: Vec::new(),
         multiplier_names: Vec::new(),

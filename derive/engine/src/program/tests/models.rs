@@ -69,7 +69,14 @@ pub fn reduce(given: Given) -> Equations {
     let pivots = pivots.into_iter().map(|p| (p, GuardKind::Positive));
     let (mut state_guards, mut parameter_guards) = (Vec::new(), Vec::new());
     for (expr, kind) in given.guards.into_iter().chain(pivots) {
-        guards.push(Guard { expr, name: g.display(expr), kind, origin: "by hand".to_owned(), rows: vec![] });
+        guards.push(Guard {
+            expr,
+            name: g.display(expr),
+            kind,
+            origin: "by hand".to_owned(),
+            rows: vec![],
+            start: None,
+        });
     }
     for guard in guards {
         match g.stage(guard.expr) {
@@ -111,12 +118,15 @@ pub fn reduce(given: Given) -> Equations {
         velocity_residual,
         kinetic_energy,
         potential_energy: None,
+        outputs: crate::projection::Outputs::default(),
         rows: given.names.iter().map(|name| row(name)).collect(),
         position_names: given.names.iter().take(0).cloned().collect(),
         multiplier_names: given.names,
         multiplier_rows,
         charts: Vec::new(),
         chart_speeds,
+        relative_pivots: vec![None],
+        combined: false,
         carriers: v.clone(),
         carried_velocities: all_v.clone(),
         carried_rates: rates_v.clone(),

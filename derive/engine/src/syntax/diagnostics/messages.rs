@@ -200,6 +200,16 @@ messages! {
         "the define `{name}` contains {contains}, but {rule}";
     cycle(names) =
         "the define is needed for its own value: {names}";
+    output_twice(name) =
+        "there is an output `{name}` already";
+    output_later(name) =
+        "the output `{name}` is not known yet: an output may mention those above it";
+    output_out_of_place(name) =
+        "`{name}` is an output, which only other outputs may mention; name it by `define` to use it elsewhere";
+    reaction_of_no_constraint(name, constraints) =
+        "there is no constraint `{name}`: {constraints}";
+    reaction_of_expression() =
+        "`reaction` takes the name of a constraint";
 }
 
 /// What may occur where, as the second half of a sentence.
@@ -222,6 +232,8 @@ pub(crate) const RULE_QUASI_RATES: &str =
     "a rate is given by parameters, coordinates, `t` and speeds of `configuration` here";
 pub(crate) const RULE_VELOCITIES: &str =
     "`velocities` gives a speed by parameters, coordinates, `t`, the remaining speeds and those in `of(..)`";
+pub(crate) const RULE_COMBINATION: &str =
+    "an independent speed is given by parameters, coordinates, `t`, speeds and rates such as `dot(x)`";
 pub(crate) const RULE_COMPLEMENT: &str = "the entries of D may depend on parameters, coordinates and `t` only";
 pub(crate) const RULE_NUMBER: &str = "this is a value for judging, which is made of numbers and `PI` only";
 
@@ -251,6 +263,8 @@ messages! {
         "`dot` with two arguments is the scalar product of vectors, which is not supported yet";
     acceleration(function, name) =
         "`{function}({name})` is an acceleration, which only `constraint` can bind";
+    rate_of_free(name) =
+        "the rate of `{name}` has no name: it is a speed of `velocities`; take the rates of the speeds that it gives";
     rate_of_rate() =
         "the rate of a rate is written `ddot(x)`, with the name of a coordinate";
     second_rate_of_speed(name) =
@@ -348,6 +362,10 @@ messages! {
         "`{name}` is {what}; expected a speed or the rate of a coordinate, such as `v1` or `dot(x)`";
     independent_twice(name) =
         "`{name}` stands in the list twice";
+    combination_not_linear(name, variable, derivative) =
+        "`{name}` must be linear in the speeds, but the coefficient of `{variable}` here is `{derivative}`";
+    combination_without_speed(name) =
+        "`{name}` depends on no speed: all its coefficients vanish";
     independent_and_complement() =
         "`complement` names the independent speeds already; leave out one of the two";
     complement_twice(name) =

@@ -1,0 +1,160 @@
+//! What takes a name and not its value: rates, reactions; and names of outputs.
+
+use proc_macro2::Span;
+
+use super::context::Context;
+use super::functions::wrong_number_of_arguments;
+use super::lower::{Lowered, Vocabulary, named_function};
+use super::names::{Meaning, Mentions};
+use crate::symbolic::{Kind, Symbol};
+use crate::syntax::{Diagnostics, Term, messages};
+
+impl Vocabulary<'_> {
+    /// An output that another one mentions.
+    pub(super) fn output(&self, name: &str, span: Span, diagnostics: &mut Diagnostics) -> Option<Lowered> {
+        let known = self.outputs.iter().find(|(other, _)| other == name);
+        if known.is_none() {
+            diagnostics.report(span, messages::output_later(name));
+        }
+        known?.1
+    }
+
+    /// `reaction(rod)`, the multiplier of a constraint
+    pub(super) fn reaction(
+        &mut self,
+        span: Span,
+        arguments: &[usize],
+        terms: &[(Term, Span)],
+        context: Context,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Lowered> {
+        let [argument] = arguments else {
+            diagnostics.report(span, wrong_number_of_arguments("reaction", 1, arguments.len()));
+            return None;
+        };
+        let (name, place) = match &terms[*argument] {
+            (Term::Name(name), place) => (name, *place),
+            (Term::Hole, _) => return None,
+            _ => {
+                diagnostics.report(span, messages::reaction_of_expression());
+                return None;
+            }
+        };
+        let constraints = &self.declarations.constraints;
+        let Some(at) = constraints.iter().position(|constraint| constraint.name == name) else {
+            let names: Vec<String> = constraints.iter().map(|constraint| format!("`{}`", constraint.name)).collect();
+            let list = match names.as_slice() {
+                [] => "the model has none".to_owned(),
+                names => format!("the constraints are {}", names.join(", ")),
+            };
+            diagnostics.report(place, messages::reaction_of_no_constraint(name, list));
+            return None;
+        };
+        let mentions = Mentions::REACTIONS;
+        if mentions.beyond(context.allowed) != Mentions::NONE {
+            let text = format!("reaction({name})");
+            diagnostics.report(span, messages::out_of_place(text, mentions.describe(), context.rule));
+            return None;
+        }
+        let symbol = match self.reactions.iter().find(|(other, ..)| *other == at) {
+            Some((_, symbol, _)) => *symbol,
+            None => {
+                let symbol = self.graph.symbol(&format!("reaction({name})"), Kind::Speed);
+                self.reactions.push((at, symbol, place));
+                symbol
+            }
+        };
+        Some(Lowered { expr: self.graph.var(symbol), mentions })
+    }
+
+    /// `dot(x)`, `dot(v)` or `ddot(x)`
+    pub(super) fn dot(
+        &mut self,
+        function: &str,
+        span: Span,
+        arguments: &[usize],
+        terms: &[(Term, Span)],
+        context: Context,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Lowered> {
+        let message = match arguments {
+            [argument] => match &terms[*argument] {
+                (Term::Name(name), place) => match self.names.get(name) {
+                    None => {
+                        diagnostics.report(*place, self.names.unknown(name));
+                        return None;
+                    }
+                    Some(Meaning::Speed(i)) if function == "dot" => {
+                        let found = (self.accelerations[i], Mentions::ACCELERATIONS);
+                        return self.rate(function, name, found, span, context, diagnostics);
+                    }
+                    Some(Meaning::Speed(_)) => messages::second_rate_of_speed(name),
+                    Some(Meaning::Coordinate(i)) => {
+                        let found = match function {
+                            "dot" => (self.rates[i], Mentions::RATES),
+                            _ => (self.second_rates[i], Mentions::ACCELERATIONS),
+                        };
+                        return self.rate(function, name, found, span, context, diagnostics);
+                    }
+                    Some(Meaning::Further(i))
+                        if function == "dot"
+                            && context.allowed.intersects(Mentions::FURTHER_RATES)
+                            && i < self.further_rates.len() =>
+                    {
+                        let found = (self.further_rates[i], Mentions::FURTHER_RATES);
+                        return self.rate(function, name, found, span, context, diagnostics);
+                    }
+                    Some(Meaning::Further(i))
+                        if function == "ddot"
+                            && context.allowed.intersects(Mentions::FURTHER_ACCELERATIONS)
+                            && i < self.further_accelerations.len() =>
+                    {
+                        let found = (self.further_accelerations[i], Mentions::FURTHER_ACCELERATIONS);
+                        return self.rate(function, name, found, span, context, diagnostics);
+                    }
+                    Some(Meaning::Quasi(i))
+                        if function == "dot"
+                            && context.allowed.intersects(Mentions::FURTHER_ACCELERATIONS)
+                            && i < self.quasi_rates.len() =>
+                    {
+                        let found = (self.quasi_rates[i], Mentions::FURTHER_ACCELERATIONS);
+                        return self.rate(function, name, found, span, context, diagnostics);
+                    }
+                    Some(Meaning::Free(_)) if context.allowed.intersects(Mentions::FREE) => {
+                        messages::rate_of_free(name)
+                    }
+                    Some(Meaning::Further(_)) => {
+                        let what = Mentions::FURTHER.describe();
+                        messages::out_of_place(name, what, context.rule)
+                    }
+                    Some(meaning) => messages::dot_of_no_coordinate(name, meaning.describe()),
+                },
+                (Term::Hole, _) => return None,
+                (Term::Call(inner, _), _) if named_function(inner) => messages::rate_of_rate(),
+                _ => messages::dot_of_expression(),
+            },
+            [_, _] if function == "dot" => messages::scalar_product(),
+            _ => wrong_number_of_arguments(function, 1, arguments.len()),
+        };
+        diagnostics.report(span, message);
+        None
+    }
+
+    /// The rate, if it may occur here.
+    fn rate(
+        &mut self,
+        function: &str,
+        name: &str,
+        (symbol, mentions): (Symbol, Mentions),
+        span: Span,
+        context: Context,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Lowered> {
+        if mentions.beyond(context.allowed) != Mentions::NONE {
+            let text = format!("{function}({name})");
+            diagnostics.report(span, messages::out_of_place(text, mentions.describe(), context.rule));
+            return None;
+        }
+        Some(Lowered { expr: self.graph.var(symbol), mentions })
+    }
+}

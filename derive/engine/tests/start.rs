@@ -1,0 +1,134 @@
+//! What the start that a model names shows: closed first, then judged; and what the guards are called.
+
+use holonomy_engine::projection::Equations;
+use quote::quote;
+
+fn analysed(tokens: proc_macro2::TokenStream) -> Result<Equations, Vec<String>> {
+    match holonomy_engine::analyse(tokens) {
+        Ok(analysis) => Ok(analysis.equations),
+        Err(errors) => Err(errors.iter().map(|error| error.message.clone()).collect()),
+    }
+}
+
+#[track_caller]
+fn refusal(tokens: proc_macro2::TokenStream) -> String {
+    match analysed(tokens) {
+        Ok(_) => panic!("accepted"),
+        Err(messages) => messages.join("; "),
+    }
+}
+
+/// The pivot sin(b - a) is 0.01 as the start is written, and zero where it closes.
+#[test]
+fn pivots_that_vanish_on_the_manifold_only() {
+    let model = |start: proc_macro2::TokenStream| {
+        quote! {
+            #[coordinates(a, b, c, d)]
+            #[inertia(diag(1, 1, 1, 1))]
+            #[forces(0, 0, 0, 0)]
+            #[constraint(together: b == a)]
+            #[constraint(slide: sin(b - a)*dot(c) + dot(d) == 0)]
+            #[independent(dot(a), dot(d))]
+            #start
+            struct Folded {}
+        }
+    };
+    let message = refusal(model(quote! { #[start(a = 0.3, b = 0.31)] }));
+    assert!(message.contains("do not determine `dot_c` at the start, where the pivot"), "{message}");
+    assert!(message.contains("#[independent("), "{message}");
+    // Without a start nothing tells.
+    assert!(analysed(model(quote! {})).is_ok());
+}
+
+#[test]
+fn rows_that_depend_on_each_other_at_the_start() {
+    let message = refusal(quote! {
+        #[coordinates(a, b, c, d)]
+        #[inertia(diag(1, 1, 1, 1))]
+        #[forces(0, 0, 0, 0)]
+        #[constraint(together: b == a + k)]
+        #[constraint(first: dot(c) + a*dot(d) == 0)]
+        #[constraint(second: 2*dot(c) + 2*(b - k)*dot(d) + dot(b) - dot(a) == 0)]
+        #[start(a = 0.3, b = 0.6)]
+        struct Folded { #[nominal(0.25)] k: f64 }
+    });
+    assert!(
+        message.contains("constraint `second` depends on the others at the start: its rates are those of"),
+        "{message}"
+    );
+    assert!(message.contains("`together` + 2*`first` there"), "{message}");
+}
+
+#[test]
+fn starts_that_do_not_close_say_what_is_left() {
+    let message = refusal(quote! {
+        #[coordinates(x, y)]
+        #[inertia(diag(1, 1))]
+        #[forces(0, 0)]
+        #[constraint(rod: x*x + y*y + l*l == 0)]
+        #[start(x = 0.1, y = 0.2)]
+        struct Nowhere { #[nominal(2)] l: f64 }
+    });
+    assert!(message.starts_with("the start does not close: "), "{message}");
+    assert!(message.contains("`rod` by 4.00e0"), "{message}");
+    // Newton's method goes a long way, and through a configuration.
+    let far = analysed(quote! {
+        #[coordinates(x, y)]
+        #[inertia(diag(1, 1))]
+        #[forces(0, 0)]
+        #[configuration(of(a, s), x = s*cos(a), y = s*sin(a))]
+        #[constraint(rod: x*x + y*y == l*l)]
+        #[start(a = 0.5, s = 40)]
+        struct Far { #[nominal(2)] l: f64 }
+    });
+    assert!(far.is_ok(), "{:?}", far.err());
+}
+
+#[test]
+fn charts_and_guards_know_their_figures_at_the_start() {
+    let e = analysed(quote! {
+        #[coordinates(x, y)]
+        #[inertia(diag(m, m))]
+        #[forces(0, -m*g)]
+        #[constraint(rod: x*x + y*y == l*l)]
+        #[start(x = 0.49, y = -0.63)]
+        #[independent(dot(x))]
+        #[independent(dot(y))]
+        #[independent(turn = (x*dot(y) - y*dot(x))/l)]
+        struct Pendulum { m: f64, g: f64, #[nominal(0.8)] l: f64 }
+    })
+    .expect("the model is good");
+    // On the circle of radius 0.8 along (0.49, -0.63): the cosines of the angles between the rod and the axes.
+    let length = 0.49_f64.hypot(0.63);
+    let expected = [0.63 / length, 0.49 / length, 1.0];
+    for (found, expected) in e.relative_pivots.iter().zip(expected) {
+        assert!((found.expect("all is known") - expected).abs() < 6e-3, "{:?}", e.relative_pivots);
+    }
+    let y = e.guards.iter().find(|guard| guard.name == "y").expect("the pivot of the rod");
+    assert!((y.start.expect("y has a value") + 0.8 * 0.63 / length).abs() < 6e-3);
+    assert!(
+        e.notes.iter().any(|note| note.contains("the relative pivot of the independent speeds is 0.78")),
+        "{:?}",
+        e.notes
+    );
+    assert!(e.notes.iter().any(|note| note.contains("the relative pivot of chart 2 is 1:")), "{:?}", e.notes);
+}
+
+/// A guard whose text is too long for a name has one all the same.
+#[test]
+fn long_guards_have_names() {
+    let e = analysed(quote! {
+        #[coordinates(a, b, c, d)]
+        #[inertia(diag(1, 1, 1, 1))]
+        #[forces(0, 0, 0, 0)]
+        #[constraint(first: sin(a + 2*b)*dot(a) + cos(b*c)*dot(b) + a*exp(c)*dot(c) + dot(d)*sin(d) == 0)]
+        #[constraint(second: cos(a + 3*c)*dot(a) + exp(b*a)*dot(b) + b*sin(c*d)*dot(c) + dot(d)*cos(d) == 0)]
+        #[constraint(third: sin(c - 2*a)*dot(a) + cos(b*c + d)*dot(b) + c*exp(a)*dot(c) + dot(d)*a == 0)]
+        #[independent(dot(d))]
+        struct Tangle {}
+    })
+    .expect("the model is good");
+    let names: Vec<&str> = e.guards.iter().map(|guard| guard.name.as_str()).collect();
+    assert!(names.contains(&"determinant of first, second, third"), "{names:?}");
+    assert!(names.iter().all(|name| !name.contains('…') && name.chars().count() <= 160), "{names:?}");
+}
