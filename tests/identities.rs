@@ -67,12 +67,15 @@ fn scaled(source: &str, factor: impl Fn(usize) -> f64) -> String {
     for (i, attribute) in constraints.enumerate() {
         let factor = proc_macro2::Literal::f64_unsuffixed(factor(i));
         let multiplied = |input: syn::parse::ParseStream<'_>| -> syn::Result<TokenStream> {
+            // a name, or an entry of a family of them
             let name: syn::Ident = input.parse()?;
+            let index: Option<proc_macro2::Group> =
+                if input.peek(syn::Token![:]) { None } else { Some(input.parse()?) };
             input.parse::<syn::Token![:]>()?;
             let equation: syn::ExprBinary = input.parse()?;
             let rest: TokenStream = input.parse()?;
             let (left, right) = (equation.left, equation.right);
-            Ok(quote!(#name: #factor*(#left) == #factor*(#right) #rest))
+            Ok(quote!(#name #index: #factor*(#left) == #factor*(#right) #rest))
         };
         let tokens = attribute.parse_args_with(multiplied).expect("a constraint");
         *attribute = syn::parse_quote!(#[constraint(#tokens)]);
@@ -93,7 +96,13 @@ fn scales(source: &str, random: &mut SplitMix) {
         panic!("{}: no state is reached", declared.name)
     };
     let claim = Evaluated { equations: &equations, system: &system }.claim(t, &q, &u);
-    let own = claim.multipliers.iter().all(|m| m.row.is_some()) && !declared.constraints.iter().any(|c| c.redundant);
+    // rows of one statement have one factor
+    let item: syn::ItemStruct = syn::parse_str(source).expect("a struct");
+    let statements = item.attrs.iter().filter(|a| a.path().is_ident("constraint")).count();
+    let single = statements == declared.constraints.len();
+    let own = single
+        && claim.multipliers.iter().all(|m| m.row.is_some())
+        && !declared.constraints.iter().any(|c| c.redundant);
     let factor = |i: usize| if own { 0.4 + 0.7 * i as f64 } else { 2.5 };
     let other = scaled(source, factor);
     let equations = projected(&other).expect(&other);

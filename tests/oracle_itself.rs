@@ -4,7 +4,10 @@ mod oracle;
 mod support;
 
 use nalgebra::DVector;
-use oracle::{Declaration, Dual, Level, Number, Rows, Scaled, System, closed, onto_velocity_rows, read_models};
+use oracle::{
+    Chosen, Declaration, Dual, Level, Number, Rows, Scaled, System, closed, derivative, onto_velocity_rows, read_models,
+};
+use quote::ToTokens;
 use serde_json::Value;
 use support::golden::{assert_close, assert_close_at, list, numbers, parse, picked};
 use support::splitmix::SplitMix;
@@ -227,6 +230,86 @@ fn bias_is_the_change_of_the_rows(system: &System<'_>, t: f64, x: &[f64], v: &[f
         // truncation h⁴ f⁽⁵⁾/30 with derivatives that grow by the rates (below 20 here), rounding ε/h
         let bound = size * (20.0 * step).powi(4) / 30.0 + size * f64::EPSILON * 10.0 / step;
         assert!((difference - bias.value).abs() <= bound, "{} row {row}: {difference} {bias:?}", system.model.name);
+    }
+}
+
+/// A model by families, and what it says with every name written out.
+const FAMILIES: [&str; 2] = [
+    "#[derive(ConstrainedSystem)]
+    #[size(n = 3, last = n - 1)]
+    #[coordinates(a[n])]
+    #[speeds(w[n])]
+    #[inputs(tau[n])]
+    #[kinematics(dot(a[i]) = (i + 1)*w[i] + (if a[i] < n/2 { w[(i + 1) % n]/4 } else { 0 }) for i in 0..n)]
+    #[define(s[0] = l[0]*sin(a[0]), s[i] = s[i - 1] + l[i]*wave(a[i]) for i in 1..n)]
+    #[inertia(matrix([l[i]*l[j]*sum(max(i, j)..n, |k| m[k])/(1 + powi(i - j, 2)) for j in 0..n] for i in 0..n))]
+    #[forces(tau[i] - sum(i..n, |k| m[k])*g*l[i]*sin(a[i])/n + product(0..i, |k| s[k]) for i in 0..n)]
+    #[constraint(chain[i]: a[i]*w[i] == a[i + 1] + w[last] for i in 0..last, redundant)]
+    #[constraint(level: sum(0..=last, |i| a[i]) == 1)]
+    #[independent(w[i] for i in last..=last)]
+    #[start(a[i] = 0.5 for i in 0..n)]
+    struct Model { m: [f64; 3], l: [f64; 3], g: f64 }",
+    "#[derive(ConstrainedSystem)]
+    #[coordinates(a_0, a_1, a_2)]
+    #[speeds(w_0, w_1, w_2)]
+    #[inputs(tau_0, tau_1, tau_2)]
+    #[kinematics(
+        dot(a_0) = w_0 + (if a_0 < 1.5 { w_1/4 } else { 0 }),
+        dot(a_1) = 2*w_1 + (if a_1 < 1.5 { w_2/4 } else { 0 }),
+        dot(a_2) = 3*w_2 + (if a_2 < 1.5 { w_0/4 } else { 0 }),
+    )]
+    #[define(s_0 = l_0*sin(a_0), s_1 = s_0 + l_1*sin(a_1)/2, s_2 = s_1 + l_2*sin(a_2)/2)]
+    #[inertia(matrix(
+        [l_0*l_0*(m_0 + m_1 + m_2), l_0*l_1*(m_1 + m_2)/2, l_0*l_2*m_2/5],
+        [_, l_1*l_1*(m_1 + m_2), l_1*l_2*m_2/2],
+        [_, _, l_2*l_2*m_2],
+    ))]
+    #[forces(
+        tau_0 - (m_0 + m_1 + m_2)*g*l_0*sin(a_0)/3 + 1,
+        tau_1 - (m_1 + m_2)*g*l_1*sin(a_1)/3 + s_0,
+        tau_2 - m_2*g*l_2*sin(a_2)/3 + s_0*s_1,
+    )]
+    #[constraint(chain_0: a_0*w_0 == a_1 + w_2, redundant)]
+    #[constraint(chain_1: a_1*w_1 == a_2 + w_2, redundant)]
+    #[constraint(level: a_0 + a_1 + a_2 == 1)]
+    #[independent(w_2)]
+    #[start(a_0 = 0.5, a_1 = 0.5, a_2 = 0.5)]
+    struct Model { m_0: f64, m_1: f64, m_2: f64, l_0: f64, l_1: f64, l_2: f64, g: f64 }",
+];
+
+#[test]
+fn families_are_what_they_stand_for() {
+    let models = FAMILIES.map(|source| read_models(source).remove(0));
+    let said = models.each_ref().map(|model| {
+        let rows: Vec<_> = model.constraints.iter().map(|row| (&row.name, row.level, row.redundant)).collect();
+        let listed = |chosen: &Chosen| (chosen.name.clone(), chosen.value.to_token_stream().to_string());
+        let independent: Vec<_> = model.charts.iter().flatten().map(listed).collect();
+        format!("{:?} {rows:?} {:?} {:?} {independent:?}", model.parameters, model.start, model.inputs)
+    });
+    assert_eq!(said[0], said[1]);
+    let mut random = SplitMix::new(3);
+    let (parameters, inputs) = (random.vector(7, 0.5, 1.5), random.vector(3, -1.0, 1.0));
+    let (x, v) = (random.vector(3, -1.0, 1.0), random.vector(3, -1.0, 1.0));
+    let [one, other] = models.each_ref().map(|model| {
+        let system = System { model, parameters: parameters.clone(), inputs: inputs.clone() };
+        let (dynamics, rows) = (system.dynamics(0.3, &x, &v), system.rows(0.3, &x, &v));
+        let parts = [dynamics.a.as_slice(), dynamics.m.as_slice(), dynamics.h.as_slice(), rows.c.as_slice()];
+        [parts.concat(), rows.c0.as_slice().to_vec()].concat().iter().map(|e| e.value).collect::<Vec<_>>()
+    });
+    assert_close("both", &one, &other, 1e-15);
+}
+
+#[test]
+fn functions_of_the_models_have_their_derivatives() {
+    // of sin(s)/2 and 1/(1 + s²) by hand
+    let s = 0.7_f64;
+    let expected = [[s.sin() / 2.0, s.cos() / 2.0, -s.sin() / 2.0, -s.cos() / 2.0], {
+        let d = 1.0 + s * s;
+        [1.0 / d, -2.0 * s / d.powi(2), (6.0 * s * s - 2.0) / d.powi(3), 24.0 * s * (1.0 - s * s) / d.powi(4)]
+    }];
+    for (name, expected) in ["wave", "bump"].iter().zip(expected) {
+        let found: Vec<f64> = (0..4).map(|order| derivative(name, order, s)).collect();
+        assert_close(name, &found, &expected, 1e-14);
     }
 }
 

@@ -10,7 +10,7 @@ mod support;
 
 use bodies::{Flyball, HeavyTop, TriplePendulum};
 use holonomy::prelude::*;
-use linkages::{Andrews, CarAxis, FourBar, SliderCrank};
+use linkages::{Andrews, CarAxis, FourBar, SliderCrank, SliderCrankOnBranch};
 use serde_json::Value;
 use support::golden::{assert_close, assert_close_at, list, numbers, parse, picked, text};
 use support::running::{Running, entries};
@@ -225,6 +225,37 @@ fn slider_crank_of_equal_lengths() {
                 stop.error
             );
         }
+    }
+}
+
+/// On its branch the motion passes the singular position like any other: five seconds, seven passages.
+#[test]
+fn slider_crank_passes_its_singular_position() {
+    let golden = parse(include_str!("data/slider_crank_equal.json"));
+    let model = from_json!(golden["parameters"], SliderCrankOnBranch { l: "l", m1: "m1", m2: "m2", m3: "m3", g: "g" });
+    let crank = Running::new(model);
+    let rows = list(&case(&golden, "smooth_branch")["expected"]);
+    let start = picked(&rows[0], &["alpha", "alpha_rate"]);
+    let simulation = crank.0.simulate(crank.state(&start)).tolerance(1e-13, 1e-13);
+    let run = simulation.until(5.0).expect("a regular motion");
+    for (y, row) in crank.run(&start, &times(rows), 0.005).iter().zip(rows) {
+        let place = format!("at {}", row["t"]);
+        let at = picked(row, &["alpha", "alpha_rate"]);
+        // after many turns the angles are doubles of 24 with their rounding
+        let tolerance = AT_A_STATE * (1.0 + at[0].abs());
+        let [turn, slide] = ["alpha_acceleration", "x_acceleration"].map(|name| numbers(&row[name])[0]);
+        // upright, nothing accelerates it
+        assert_close_at(&place, &crank.velocity_rates(0.0, &at), &[turn, turn, slide], tolerance, 9.81);
+        let rates = picked(row, &["alpha_rate", "alpha_rate", "x_rate"]);
+        assert_close(&place, &crank.velocities(0.0, &at), &rates, tolerance);
+        if row["singular"].is_null() {
+            assert_close(&place, &lambda(&crank, &["loop_x", "loop_y"], 0.0, &at), &numbers(&row["lam"]), tolerance);
+            let reaction = crank.reaction(0.0, &at);
+            assert_close(&place, reaction.as_slice(), &numbers(&row["generalised_reaction"]), tolerance);
+        }
+        assert_close(&place, y, &at, IN_MOTION);
+        let t = row["t"].as_f64().expect("a time");
+        assert_close(&place, &entries(&run.at(t).expect("a time of the run")), &at, IN_MOTION);
     }
 }
 

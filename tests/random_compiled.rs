@@ -10,6 +10,7 @@ use claims::stages::difference;
 use claims::states::random_state;
 use holonomy::ConstrainedSystem;
 use oracle::{Declaration, System, check, read_models};
+use support::fields::Field;
 use support::splitmix::SplitMix;
 
 /// The models themselves, one struct each.
@@ -23,10 +24,19 @@ const SOURCE: &str = include_str!("data/random_models.rs");
 const MODELS: usize = 200;
 const STATES: usize = 3;
 
+thread_local! {
+    /// What the file declares; every test reads it once.
+    static DECLARED: &'static [Declaration] = read_models(SOURCE).leak();
+}
+
+/// The declaration of a model.
+fn declared<M: ConstrainedSystem>() -> &'static Declaration {
+    DECLARED.with(|all| all.iter().find(|d| d.name == M::MODEL.name).expect("the model is declared"))
+}
+
 /// Holds the emitted code of a model against its declaration.
 fn agrees<M: ConstrainedSystem>(build: impl Fn(&[f64]) -> M) -> Result<f64, String> {
-    let declared = read_models(SOURCE);
-    let declared = declared.iter().find(|d| d.name == M::MODEL.name).expect("the model is declared");
+    let declared = declared::<M>();
     let mut random = SplitMix::new(M::MODEL.name.bytes().map(u64::from).sum());
     let mut system = System::nominal(declared);
     let model = build(&system.parameters).prepare().map_err(|e| format!("{}: {e}", declared.name))?;
@@ -51,7 +61,7 @@ macro_rules! check_all {
     ($($model:ident($($field:ident),*))*) => {
         vec![$(agrees(|p| {
             let mut p = p.iter().copied();
-            models::$model { $($field: p.next().expect("a parameter")),* }
+            models::$model { $($field: Field::take(&mut p)),* }
         })),*]
     };
 }
@@ -66,16 +76,11 @@ fn compiled_random_models_agree_with_the_oracle() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// The declaration of a model.
-fn declared<M: ConstrainedSystem>() -> Declaration {
-    read_models(SOURCE).into_iter().find(|d| d.name == M::MODEL.name).expect("the model is declared")
-}
-
 /// The same motion in two stages and in one: v̇ and every λ, to 1e-12 times what both eliminations amplify.
 fn same<A: ConstrainedSystem, B: ConstrainedSystem>(two: impl Fn(&[f64]) -> A, one: impl Fn(&[f64]) -> B) -> f64 {
     let (staged, whole) = (declared::<A>(), declared::<B>());
     let mut random = SplitMix::new(A::MODEL.name.bytes().map(u64::from).sum());
-    let system = System { inputs: random.vector(staged.inputs.len(), -1.0, 1.0), ..System::nominal(&staged) };
+    let system = System { inputs: random.vector(staged.inputs.len(), -1.0, 1.0), ..System::nominal(staged) };
     let two = two(&system.parameters).prepare().expect("good parameters");
     let one = one(&system.parameters).prepare().expect("good parameters");
     let mut worst = 0.0_f64;
@@ -96,11 +101,11 @@ macro_rules! compare_all {
         vec![$({
             let two = |p: &[f64]| {
                 let mut p = p.iter().copied();
-                models::$two { $($field: p.next().expect("a parameter")),* }
+                models::$two { $($field: Field::take(&mut p)),* }
             };
             let one = |p: &[f64]| {
                 let mut p = p.iter().copied();
-                models::$one { $($field: p.next().expect("a parameter")),* }
+                models::$one { $($field: Field::take(&mut p)),* }
             };
             same(two, one)
         }),*]

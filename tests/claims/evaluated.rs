@@ -1,17 +1,17 @@
 //! What the engine's equations claim at a state, by evaluating its expressions.
 
-use crate::oracle::{ChartClaim, Claim, Dual, Multiplier, Number, System};
+use crate::oracle::{ChartClaim, Claim, Dual, Multiplier, Number, System, derivative};
 use holonomy_engine::projection::{AsIs, Equations, Guard, project};
-use holonomy_engine::symbolic::{Algebra, Expr, Function, Matrix, Rational, Symbol};
+use holonomy_engine::symbolic::{Algebra, Expr, Function, Given, Graph, Matrix, Rational, Symbol};
 use holonomy_engine::{model, syntax};
 use nalgebra::DMatrix;
 use quote::ToTokens;
 use std::collections::BTreeMap;
 
 /// The oracle's numbers as an algebra of the engine.
-struct Over<N>(BTreeMap<Symbol, N>);
+struct Over<'a, N>(BTreeMap<Symbol, N>, &'a Graph);
 
-impl<N: Number> Algebra for Over<N> {
+impl<N: Number> Algebra for Over<'_, N> {
     type Value = N;
     fn number(&mut self, value: &Rational) -> N {
         N::constant(value.to_f64())
@@ -47,7 +47,13 @@ impl<N: Number> Algebra for Over<N> {
             Function::Sign if first.value() == 0.0 => N::zero(),
             Function::Sign => N::constant(first.value().signum()),
             Function::Power => (arguments[1] * first.ln()).exp(),
-            Function::Given(_) => panic!("a function of the user's"),
+            Function::Given(at) => {
+                let given = &self.1.given()[at as usize];
+                let of_same = |other: &&Given| other.function == given.function && other.order == 0;
+                let name = &self.1.given().iter().find(of_same).expect("the function itself").name;
+                assert!(!given.missing, "a derivative that nobody gave");
+                derivative(name, given.order, first)
+            }
             Function::Select => arguments[if first.value() < 0.0 { 1 } else { 2 }],
         }
     }
@@ -91,7 +97,7 @@ pub struct Evaluated<'a> {
 }
 
 impl Evaluated<'_> {
-    fn values<N: Number>(&self, t: N, groups: [(&[Symbol], &[N]); 2]) -> Over<N> {
+    fn values<N: Number>(&self, t: N, groups: [(&[Symbol], &[N]); 2]) -> Over<'_, N> {
         let equations = self.equations;
         let constants = |symbols: &[Symbol], values: &[f64]| -> Vec<(Symbol, N)> {
             symbols.iter().copied().zip(values.iter().map(|&value| N::constant(value))).collect()
@@ -108,7 +114,7 @@ impl Evaluated<'_> {
         for (symbols, values) in groups {
             map.extend(symbols.iter().copied().zip(values.iter().copied()));
         }
-        Over(map)
+        Over(map, &equations.graph)
     }
 
     /// Functions of the state.

@@ -34,5 +34,5 @@ pub fn random_state<M: ConstrainedSystem>(
     };
     // Where the model gives v = g(u, x, t), any u will do, and v is not linear in it.
     let u = if system.model.gives_velocities { u } else { onto_nonlinear_rows(system, t, &x, &u, velocities)? };
-    Some((t, q, u))
+    (system.to_next_case(t, &q, &x, &velocities(&u)) > 1e-9).then_some((t, q, u))
 }

@@ -116,6 +116,38 @@ pub struct SliderCrank {
     pub g: f64,
 }
 
+/// The same on the branch on which the rod stays parallel to the crank's mirror image: there the motion is regular, and only the
+/// reactions are lost where the crank stands upright, since the rows depend on each other.
+#[derive(ConstrainedSystem, Clone, Debug)]
+#[coordinates(alpha, beta, x)]
+#[define(h = m2*powi(l, 2)/2)]
+#[inertia(matrix(
+    [(m1/3 + m2)*powi(l, 2), -h*cos(alpha + beta), 0],
+    [_, m2*powi(l, 2)/3, 0],
+    [_, _, m3],
+))]
+#[forces(
+    -h*sin(alpha + beta)*powi(dot(beta), 2) - g*(m1/2 + m2)*l*cos(alpha),
+    -h*sin(alpha + beta)*powi(dot(alpha), 2) + g*m2*l/2*cos(beta),
+    0,
+)]
+#[potential_energy(g*((m1/2 + m2)*l*sin(alpha) - m2*l/2*sin(beta)))]
+#[constraint(loop_x: l*cos(alpha) + l*cos(beta) - x == 0)]
+#[constraint(loop_y: l*sin(alpha) - l*sin(beta) == 0)]
+#[configuration(beta = alpha, x = 2*l*cos(alpha))]
+pub struct SliderCrankOnBranch {
+    #[nominal(1)]
+    pub l: f64,
+    #[nominal(1)]
+    pub m1: f64,
+    #[nominal(1)]
+    pub m2: f64,
+    #[nominal(2)]
+    pub m3: f64,
+    #[nominal(9.81)]
+    pub g: f64,
+}
+
 /// Andrews' squeezing mechanism: M, the forces and the loops as the test set for initial value problems prints them, λ with the
 /// other sign.
 #[derive(ConstrainedSystem, Clone, Debug)]

@@ -13,7 +13,8 @@ use super::condition::{chart_condition, least_norm, null_space};
 use super::kkt::{Motion, UNIT, conditioned_rank, roots};
 use super::number::{Number, Scaled};
 use super::report::Report;
-use super::system::{Dynamics, Rows, System};
+use super::rows::Rows;
+use super::system::{Dynamics, System};
 use nalgebra::{DMatrix, DVector};
 
 /// Holds a claim against the declared model at the claim's own state.

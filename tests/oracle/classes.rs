@@ -9,7 +9,7 @@ use nalgebra::DMatrix;
 use std::collections::BTreeSet;
 
 /// The classes that are counted.
-pub const CLASSES: [&str; 18] = [
+pub const CLASSES: [&str; 23] = [
     "nonlinear φ",
     "acceleration rows",
     "two kinds mixed",
@@ -26,6 +26,11 @@ pub const CLASSES: [&str; 18] = [
     "m = n − 1",
     "redundant rows",
     "M from T",
+    "T with b or T0",
+    "V beside T",
+    "families",
+    "functions of the user's",
+    "cases",
     "combined speeds",
     "several charts",
 ];
@@ -56,6 +61,10 @@ pub fn classes(system: &System<'_>, t: f64, x: &[f64], v: &[f64], k: usize) -> B
         (0..n).flat_map(column).any(|e| changes(e.rate))
     };
     let identity = DMatrix::identity(n, n);
+    let lower = || {
+        let momentum = |j| system.kinetic(Dual::constant(t), &x_still, &unit(n, j));
+        n > 0 && (0..n).map(momentum).any(|kinetic| changes(kinetic) || kinetic.value.abs() > NOTHING)
+    };
     let holds = |class: &str| match class {
         "nonlinear φ" => nonlinear,
         "acceleration rows" => rows.levels.contains(&Level::Acceleration),
@@ -73,6 +82,11 @@ pub fn classes(system: &System<'_>, t: f64, x: &[f64], v: &[f64], k: usize) -> B
         "m = n − 1" => n > 1 && rank == n - 1,
         "redundant rows" => rank < c.nrows() && model.constraints.iter().any(|c| c.redundant),
         "M from T" => model.kinetic_energy.is_some(),
+        "T with b or T0" => model.kinetic_energy.is_some() && lower(),
+        "V beside T" => model.kinetic_energy.is_some() && model.potential_energy.is_some(),
+        "families" => !model.sizes.is_empty(),
+        "functions of the user's" => !model.functions.is_empty(),
+        "cases" => !model.conditions().is_empty(),
         "combined speeds" => model.charts.iter().flatten().any(|chosen| chosen.name.is_some()),
         "several charts" => model.charts.len() > 1,
         other => panic!("{other} is no class"),

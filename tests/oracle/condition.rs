@@ -2,7 +2,8 @@
 
 use super::claim::Claim;
 use super::kkt::{RANK, conditioned_rank, roots};
-use super::system::{Dynamics, Rows, System};
+use super::rows::Rows;
+use super::system::{Dynamics, System};
 use nalgebra::{DMatrix, DVector};
 
 /// The matrix P with λ = P r the solution of Cᵀ λ = r of least norm, for any rank of C.

@@ -1,6 +1,7 @@
 //! A model as it is declared: names and expressions, nothing computed.
 
-use std::collections::BTreeMap;
+use super::families::Indices;
+use std::collections::{BTreeMap, BTreeSet};
 use syn::Expr;
 
 /// The level at which a constraint binds.
@@ -86,6 +87,10 @@ pub struct Declaration {
     pub gives_velocities: bool,
     /// Rows of D, each with the name of its speed.
     pub complement: Vec<(String, Vec<Expr>)>,
+    /// Sizes of families.
+    pub sizes: Indices,
+    /// Functions of the user's.
+    pub functions: BTreeSet<String>,
     /// Outputs in the order of their declaration.
     pub outputs: Vec<(String, Expr)>,
     /// Named intermediates.

@@ -1,5 +1,6 @@
 //! Expressions over any number, by walking them as they were written.
 
+use super::given::given;
 use super::number::Number;
 use super::statements::{number, plain, rate_of, reaction_of, second_rate_of};
 use std::cell::RefCell;
@@ -173,7 +174,8 @@ impl<'a, N: Number> Scope<'a, N> {
             "ln" => first.ln(),
             "atan2" => first.atan2(self.value(arguments[1])),
             "powi" => first.powi(number(arguments[1]) as i32),
-            _ => panic!("`{name}` is no function of a model"),
+            // of the user's
+            _ => given(name, first),
         }
     }
 }

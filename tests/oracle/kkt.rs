@@ -2,7 +2,8 @@
 
 use super::declaration::Level;
 use super::number::Scaled;
-use super::system::{Dynamics, Rows, System};
+use super::rows::Rows;
+use super::system::{Dynamics, System};
 use nalgebra::{DMatrix, DVector};
 
 /// What a relative error of one unit in the data can do to a result is multiplied by this: 450 roundings of f64.

@@ -54,7 +54,8 @@ impl System<'_> {
             let v = seeded(&seeded(v, i), j);
             self.kinetic(Dual::fixed(Dual::fixed(t)), &fixed(&fixed(x)), &v).rate.rate
         };
-        let m = DMatrix::from_fn(n, n, second);
+        let lower: Vec<Vec<Entry>> = (0..n).map(|i| (0..=i).map(|j| second(i, j)).collect()).collect();
+        let m = DMatrix::from_fn(n, n, |i, j| lower[i.max(j)][i.min(j)]);
 
         // the motion with v̇ = 0
         let xdot = self.rates(t, x, v);

@@ -1,8 +1,9 @@
 //! Reading declared models from Rust source text.
 
 use super::declaration::{Declaration, Level};
+use super::families::{element, integer};
 use super::statements;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use syn::visit::Visit;
 use syn::{Attribute, Expr, Fields, Item, ItemStruct, Type};
 
@@ -31,6 +32,9 @@ fn derives(attributes: &[Attribute]) -> bool {
 fn read(item: &ItemStruct) -> Declaration {
     let mut model = Declaration { name: item.ident.to_string(), ..Declaration::default() };
     read_fields(&mut model, &item.fields);
+    for attribute in item.attrs.iter().filter(|a| a.path().is_ident("size")) {
+        statements::sizes(&mut model, attribute).unwrap_or_else(|e| panic!("{}: #[size]: {e}", item.ident));
+    }
     for attribute in &item.attrs {
         let Some(name) = attribute.path().get_ident().map(ToString::to_string) else {
             continue;
@@ -41,17 +45,22 @@ fn read(item: &ItemStruct) -> Declaration {
     model
 }
 
+/// Fields of numbers, and of arrays of numbers, whose entries have the nominal value in common.
 fn read_fields(model: &mut Declaration, fields: &Fields) {
     for field in fields {
-        let (Some(name), Type::Path(path)) = (&field.ident, &field.ty) else {
-            continue;
+        let Some(name) = &field.ident else { continue };
+        let number = |ty: &Type| matches!(ty, Type::Path(path) if path.path.is_ident("f64"));
+        let names = match &field.ty {
+            Type::Array(array) if number(&array.elem) => {
+                let length = integer(&array.len, &BTreeMap::new());
+                (0..length).map(|i| element(name, i)).collect()
+            }
+            ty if number(ty) => vec![name.to_string()],
+            _ => continue,
         };
-        if !path.path.is_ident("f64") {
-            continue;
-        }
         let nominal = field.attrs.iter().find(|a| a.path().is_ident("nominal"));
         let nominal = nominal.map(|a| statements::number(&a.parse_args::<Expr>().expect("a nominal value")));
-        model.parameters.push((name.to_string(), nominal));
+        model.parameters.extend(names.into_iter().map(|name| (name, nominal)));
     }
 }
 

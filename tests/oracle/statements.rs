@@ -1,48 +1,77 @@
 //! The statements of a model, one attribute each.
 
 use super::declaration::{Chosen, Configuration, Constraint, Declaration, Level};
+use super::families::{Family, Indices, Named, Row, integer, written};
+use quote::ToTokens;
 use std::collections::BTreeMap;
 use syn::parse::{Parse, ParseStream, Parser};
 use syn::punctuated::Punctuated;
-use syn::{Attribute, BinOp, Error, Expr, ExprAssign, ExprCall, Ident, Lit, Result, Token, UnOp};
+use syn::{Attribute, BinOp, Error, Expr, ExprAssign, ExprCall, Ident, Lit, Result, Token, UnOp, parenthesized};
 
 /// Reads one attribute into the declaration; attributes that say nothing about the mechanics are passed over.
 pub fn read(model: &mut Declaration, name: &str, attribute: &Attribute) -> Result<()> {
-    let expressions = || attribute.parse_args_with(Punctuated::<Expr, Token![,]>::parse_terminated);
-    let list = || expressions().map(|e| e.into_iter().collect::<Vec<_>>());
+    let sizes = &model.sizes.clone();
+    let expression = || attribute.parse_args::<Expr>().map(|e| written(&e, sizes));
+    let list = || -> Result<Vec<Expr>> {
+        let families = entries::<Family<Expr>>(attribute)?;
+        Ok(families.iter().flat_map(|family| family.members(sizes, &mut written)).collect())
+    };
     match name {
-        "coordinates" => model.coordinates = names(attribute)?,
-        "speeds" => model.speeds = names(attribute)?,
-        "inputs" => model.inputs = names(attribute)?,
+        "coordinates" => model.coordinates = names(attribute, sizes)?,
+        "speeds" => model.speeds = names(attribute, sizes)?,
+        "inputs" => model.inputs.extend(names(attribute, sizes)?),
         "kinematics" => kinematics(model, list()?)?,
-        "inertia" => model.inertia = inertia(&attribute.parse_args()?)?,
+        "inertia" => model.inertia = attribute.parse_args_with(|input: ParseStream<'_>| inertia(input, sizes))?,
         "forces" => model.forces = list()?,
-        "kinetic_energy" => model.kinetic_energy = Some(attribute.parse_args()?),
-        "potential_energy" => model.potential_energy = Some(attribute.parse_args()?),
-        "constraint" => model.constraints.push(attribute.parse_args_with(constraint)?),
-        "configuration" => model.configuration = Some(configuration(list()?)?),
+        "kinetic_energy" => model.kinetic_energy = Some(expression()?),
+        "potential_energy" => model.potential_energy = Some(expression()?),
+        "constraint" => model.constraints.extend(constraints(&entries(attribute)?, sizes)),
+        "configuration" => model.configuration = Some(configuration(&entries(attribute)?, sizes)?),
         "independent" => model.charts.push(list()?.into_iter().map(chosen).collect::<Result<_>>()?),
         "velocities" => model.gives_velocities = true,
         "complement" => {
-            for (name, row) in assignments(list()?)? {
-                let Expr::Array(row) = row else {
-                    return Err(Error::new_spanned(row, "not a row"));
-                };
-                model.complement.push((name, row.elems.into_iter().collect()));
+            for family in entries::<Family<NamedRow>>(attribute)? {
+                let row = |row: &NamedRow, indices: &Indices| (row.name.entry(indices), row.row.entries(indices));
+                model.complement.extend(family.members(sizes, &mut { row }));
             }
         }
         "define" => model.definitions.extend(assignments(list()?)?),
         "output" => {
-            let outputs = attribute.parse_args_with(Punctuated::<Output, Token![,]>::parse_terminated)?;
-            model.outputs.extend(outputs.into_iter().map(|output| (output.0, output.1)));
+            let output = |output: &Output, indices: &Indices| {
+                let name = output.name.entry(indices);
+                let value = output.value.as_ref().map(|e| written(e, indices));
+                (name.clone(), value.unwrap_or_else(|| self::expression(&name)))
+            };
+            for family in entries::<Family<Output>>(attribute)? {
+                model.outputs.extend(family.members(sizes, &mut { output }));
+            }
         }
         "start" => {
             let start = assignments(list()?)?;
             model.start.extend(start.into_iter().map(|(name, value)| (name, number(&value))));
         }
+        "function" => {
+            let first = entries::<Expr>(attribute)?.into_iter().next();
+            let Some(Expr::Call(call)) = first else { return Err(Error::new_spanned(attribute, "not a function")) };
+            model.functions.insert(plain(&call.func).ok_or_else(|| Error::new_spanned(&call, "not a name"))?);
+        }
         _ => {}
     }
     Ok(())
+}
+
+/// Reads `size(n = 20, m = n - 1)`; sizes are known before anything else is read.
+pub fn sizes(model: &mut Declaration, attribute: &Attribute) -> Result<()> {
+    for (name, value) in assignments(entries(attribute)?)? {
+        let value = integer(&value, &model.sizes);
+        model.sizes.insert(name, value);
+    }
+    Ok(())
+}
+
+/// What stands between the commas.
+fn entries<T: Parse>(attribute: &Attribute) -> Result<Vec<T>> {
+    Ok(attribute.parse_args_with(Punctuated::<T, Token![,]>::parse_terminated)?.into_iter().collect())
 }
 
 /// The number that a literal spells, with its sign.
@@ -85,29 +114,44 @@ pub fn plain(e: &Expr) -> Option<String> {
     p.path.get_ident().map(ToString::to_string)
 }
 
-fn names(attribute: &Attribute) -> Result<Vec<String>> {
-    struct Documented(Ident);
+fn names(attribute: &Attribute, sizes: &Indices) -> Result<Vec<String>> {
+    struct Documented(Named);
     impl Parse for Documented {
         fn parse(input: ParseStream<'_>) -> Result<Self> {
             Attribute::parse_outer(input)?;
             input.parse().map(Self)
         }
     }
-    let names = attribute.parse_args_with(Punctuated::<Documented, Token![,]>::parse_terminated)?;
-    Ok(names.into_iter().map(|n| n.0.to_string()).collect())
+    let names = entries::<Documented>(attribute)?;
+    Ok(names.iter().flat_map(|name| name.0.declared(sizes)).collect())
+}
+
+/// `u1 = [..]`
+struct NamedRow {
+    name: Named,
+    row: Row,
+}
+
+impl Parse for NamedRow {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let name = input.parse()?;
+        input.parse::<Token![=]>()?;
+        Ok(Self { name, row: input.parse()? })
+    }
 }
 
 /// `power = ..` or `mu`, with doc comments before it.
-struct Output(String, Expr);
+struct Output {
+    name: Named,
+    value: Option<Expr>,
+}
 
 impl Parse for Output {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
         Attribute::parse_outer(input)?;
-        let name: Ident = input.parse()?;
-        match input.parse::<Option<Token![=]>>()? {
-            Some(_) => Ok(Self(name.to_string(), input.parse()?)),
-            None => Ok(Self(name.to_string(), Expr::parse.parse_str(&name.to_string())?)),
-        }
+        let name = input.parse()?;
+        let value = if input.parse::<Option<Token![=]>>()?.is_some() { Some(input.parse()?) } else { None };
+        Ok(Self { name, value })
     }
 }
 
@@ -161,55 +205,91 @@ fn kinematics(model: &mut Declaration, list: Vec<Expr>) -> Result<()> {
     Ok(())
 }
 
-fn inertia(e: &Expr) -> Result<Vec<Vec<Option<Expr>>>> {
-    let Expr::Call(call) = e else {
-        return Err(Error::new_spanned(e, "neither diag nor matrix"));
-    };
-    let arguments: Vec<Expr> = call.args.iter().cloned().collect();
-    let n = arguments.len();
-    if plain(&call.func).as_deref() == Some("diag") {
-        let row = |i: usize| (0..n).map(|j| (i == j).then(|| arguments[i].clone())).collect();
+/// `diag(..)` or `matrix([..], ..)`
+fn inertia(input: ParseStream<'_>, sizes: &Indices) -> Result<Vec<Vec<Option<Expr>>>> {
+    let form: Ident = input.parse()?;
+    let inner;
+    parenthesized!(inner in input);
+    input.parse::<Option<Token![,]>>()?;
+    if form == "diag" {
+        let families = Punctuated::<Family<Expr>, Token![,]>::parse_terminated(&inner)?;
+        let diagonal: Vec<Expr> = families.iter().flat_map(|family| family.members(sizes, &mut written)).collect();
+        let n = diagonal.len();
+        let row = |i: usize| (0..n).map(|j| (i == j).then(|| diagonal[i].clone())).collect();
         return Ok((0..n).map(row).collect());
     }
-    let row = |e: &Expr| {
-        let Expr::Array(row) = e else {
-            return Err(Error::new_spanned(e, "not a row"));
-        };
-        let entry = |e: &Expr| (!matches!(e, Expr::Infer(_))).then(|| e.clone());
-        Ok(row.elems.iter().map(entry).collect())
-    };
-    arguments.iter().map(row).collect()
+    let families = Punctuated::<Family<Row>, Token![,]>::parse_terminated(&inner)?;
+    let entry = |e: Expr| (!matches!(e, Expr::Infer(_))).then_some(e);
+    let row = |row: &Row, indices: &Indices| row.entries(indices).into_iter().map(entry).collect();
+    Ok(families.iter().flat_map(|family| family.members(sizes, &mut { row })).collect())
 }
 
-fn constraint(input: ParseStream<'_>) -> Result<Constraint> {
-    let name: Ident = input.parse()?;
-    input.parse::<Token![:]>()?;
-    let Expr::Binary(equation) = input.parse()? else {
-        return Err(input.error("not an equation"));
-    };
-    if !matches!(equation.op, BinOp::Eq(_)) {
-        return Err(Error::new_spanned(equation, "not an equation"));
+/// `name: left == right`, or a word about the equation before.
+enum Said {
+    Equation(Named, Expr, Expr),
+    Word(Ident),
+}
+
+impl Parse for Said {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        if input.peek(Ident) && !input.peek2(Token![:]) && !input.peek2(syn::token::Bracket) {
+            return input.parse().map(Self::Word);
+        }
+        let name = input.parse()?;
+        input.parse::<Token![:]>()?;
+        match input.parse()? {
+            Expr::Binary(e) if matches!(e.op, BinOp::Eq(_)) => Ok(Self::Equation(name, *e.left, *e.right)),
+            other => Err(Error::new_spanned(other, "not an equation")),
+        }
     }
-    let (left, right) = (*equation.left, *equation.right);
-    // what follows an equation are words about it
-    let words = match input.parse::<Option<Token![,]>>()? {
-        Some(_) => Punctuated::<Ident, Token![,]>::parse_terminated(input)?.into_iter().collect(),
-        None => Vec::new(),
-    };
-    let redundant = words.iter().any(|word| word == "redundant");
-    Ok(Constraint { name: name.to_string(), left, right, level: Level::Position, redundant })
 }
 
-fn configuration(list: Vec<Expr>) -> Result<Configuration> {
-    let names = |call: &ExprCall| call.args.iter().filter_map(plain).collect::<Vec<_>>();
+/// The constraints of one statement.
+fn constraints(families: &[Family<Said>], sizes: &Indices) -> Vec<Constraint> {
+    let mut rows: Vec<Constraint> = Vec::new();
+    // where the constraints of the last equation begin
+    let mut first = 0;
+    for family in families {
+        let member = |row: &Said, indices: &Indices| match row {
+            Said::Equation(name, left, right) => Some(Constraint {
+                name: name.entry(indices),
+                left: written(left, indices),
+                right: written(right, indices),
+                level: Level::Position,
+                redundant: false,
+            }),
+            Said::Word(word) => {
+                assert_eq!(word, "redundant");
+                None
+            }
+        };
+        let members: Option<Vec<Constraint>> = family.members(sizes, &mut { member }).into_iter().collect();
+        match members {
+            Some(members) => {
+                first = rows.len();
+                rows.extend(members);
+            }
+            None => rows[first..].iter_mut().for_each(|row| row.redundant = true),
+        }
+    }
+    rows
+}
+
+fn configuration(families: &[Family<Expr>], sizes: &Indices) -> Result<Configuration> {
+    let names = |call: &ExprCall| -> Result<Vec<String>> {
+        let named = |e: &Expr| Ok(syn::parse2::<Named>(e.to_token_stream())?.declared(sizes));
+        Ok(call.args.iter().map(named).collect::<Result<Vec<_>>>()?.concat())
+    };
     let mut configuration = Configuration::default();
     let mut quasi = Vec::new();
     let mut given = Vec::new();
-    for e in list {
-        match e {
-            Expr::Call(call) if plain(&call.func).as_deref() == Some("speeds") => quasi.extend(names(&call)),
-            Expr::Call(call) => configuration.coordinates.extend(names(&call)),
-            other => given.push(assignment(other)?),
+    for family in families {
+        for (e, indices) in family.members(sizes, &mut |e, indices| (e.clone(), indices.clone())) {
+            match e {
+                Expr::Call(call) if plain(&call.func).as_deref() == Some("speeds") => quasi.extend(names(&call)?),
+                Expr::Call(call) => configuration.coordinates.extend(names(&call)?),
+                other => given.push(assignment(written(&other, &indices))?),
+            }
         }
     }
     for (left, right) in given {

@@ -2,7 +2,7 @@
 
 use super::declaration::{Declaration, Level};
 use super::evaluate::Scope;
-use super::linear::{along, fixed, seeded, solve, unit};
+use super::linear::{along, fixed, seeded, solve};
 use super::number::{Dual, Number, Scaled};
 use super::statements::{plain, rate_of};
 use nalgebra::{DMatrix, DVector};
@@ -35,24 +35,6 @@ pub struct Dynamics {
     pub potential: Option<Entry>,
 }
 
-/// C v̇ + c0* = 0 (2.4), one row per declared constraint, and the levels below.
-pub struct Rows {
-    /// Names in the order of declaration.
-    pub names: Vec<String>,
-    /// Whether the row binds v linearly: every position row, and a velocity row whose ∂φ/∂v does not depend on v.
-    pub linear: Vec<bool>,
-    /// The level of each row.
-    pub levels: Vec<Level>,
-    /// C (2.5), (2.7).
-    pub c: DMatrix<Entry>,
-    /// c0* (2.6), (2.7).
-    pub c0: DVector<Entry>,
-    /// ḟ of a position row, φ of a velocity row; acceleration rows have none.
-    pub velocity: Vec<(String, Entry)>,
-    /// f of the position rows.
-    pub position: Vec<(String, Entry)>,
-}
-
 /// A number with the size of its terms.
 pub type Entry = Scaled;
 
@@ -72,10 +54,13 @@ impl<'a> System<'a> {
     }
 
     pub(super) fn moving<N: Number>(&self, t: N, x: &[N], v: &[N]) -> Scope<'a, N> {
-        let rates = self.rates(t, x, v);
+        self.scope_of_motion(t, x, v, &self.rates(t, x, v))
+    }
+
+    pub(super) fn scope_of_motion<N: Number>(&self, t: N, x: &[N], v: &[N], rates: &[N]) -> Scope<'a, N> {
         self.scope(t, x)
             .with(self.model.speeds.iter().map(String::as_str), v)
-            .with_rates(self.model.coordinates.iter().map(String::as_str), &rates)
+            .with_rates(self.model.coordinates.iter().map(String::as_str), rates)
     }
 
     /// Everything that an acceleration row may mention; ẍ is the derivative of ẋ = A v + a0 along the motion.
@@ -191,35 +176,6 @@ impl<'a> System<'a> {
         scope.value(&constraint.left) - scope.value(&constraint.right)
     }
 
-    /// C v̇ + c0* of an acceleration row.
-    fn acceleration<N: Number>(&self, row: usize, t: N, x: &[N], v: &[N], vdot: &[N]) -> N {
-        let constraint = &self.model.constraints[row];
-        let scope = self.accelerated(t, x, v, vdot);
-        scope.value(&constraint.left) - scope.value(&constraint.right)
-    }
-
-    /// A row of C: ∂φ/∂v, ∂ḟ/∂v, or the factors of v̇.
-    fn gradient(&self, row: usize, t: Entry, x: &[Entry], v: &[Entry]) -> Vec<Entry> {
-        let n = v.len();
-        let (t, x) = (Dual::fixed(t), fixed(x));
-        let entry = |j| match self.model.constraints[row].level {
-            Level::Acceleration => self.acceleration(row, t, &x, &fixed(v), &unit(n, j)).rate,
-            _ => self.velocity(row, t, &x, &seeded(v, j)).rate,
-        };
-        (0..n).map(entry).collect()
-    }
-
-    /// Whether a row binds v, and linearly: its gradient is then the same at other velocities.
-    fn linear(&self, row: usize, t: Entry, x: &[Entry], v: &[Entry]) -> bool {
-        if self.model.constraints[row].level == Level::Acceleration {
-            return false;
-        }
-        let other: Vec<Entry> =
-            v.iter().enumerate().map(|(i, v)| Entry::constant(0.37 * (i as f64 + 1.0) - 0.8 * v.value)).collect();
-        let (here, there) = (self.gradient(row, t, x, v), self.gradient(row, t, x, &other));
-        here.iter().zip(&there).all(|(a, b)| (a.value - b.value).abs() <= 1e-10 * a.size.max(b.size))
-    }
-
     /// Dᵀ = ∂v/∂q̇ (4.9) as a matrix n × p, and a_u = v̇ with q̈ = 0.
     pub fn partial_velocities(&self, t: f64, q: &[f64], qdot: &[f64]) -> (DMatrix<Entry>, DVector<Entry>) {
         let (t, q, qdot) = (Entry::constant(t), lift(q), lift_speeds(qdot));
@@ -259,35 +215,6 @@ impl<'a> System<'a> {
             kinetic,
         }
     }
-
-    /// All declared rows in acceleration form: position rows differentiated twice, velocity rows once, along ẋ = A v + a0.
-    pub fn rows(&self, t: f64, x: &[f64], v: &[f64]) -> Rows {
-        let (t, x, v) = (Entry::constant(t), lift(x), lift_speeds(v));
-        let (n, m) = (v.len(), self.model.constraints.len());
-        let gradients: Vec<Vec<Entry>> = (0..m).map(|i| self.gradient(i, t, &x, &v)).collect();
-        let carried = along(&x, &self.rates(t, &x, &v));
-        let still = vec![Entry::zero(); n];
-        let bias = |i: usize| match self.model.constraints[i].level {
-            Level::Acceleration => self.acceleration(i, t, &x, &v, &still),
-            _ => self.velocity(i, Dual::moving(t, Entry::one()), &carried, &fixed(&v)).rate,
-        };
-        let constraints = || self.model.constraints.iter().enumerate();
-        Rows {
-            names: self.model.constraints.iter().map(|c| c.name.clone()).collect(),
-            linear: (0..m).map(|i| self.linear(i, t, &x, &v)).collect(),
-            levels: constraints().map(|(_, c)| c.level).collect(),
-            c: DMatrix::from_fn(m, n, |i, j| gradients[i][j]),
-            c0: DVector::from_fn(m, |i, _| bias(i)),
-            velocity: constraints()
-                .filter(|(_, c)| c.level != Level::Acceleration)
-                .map(|(i, c)| (c.name.clone(), self.velocity(i, t, &x, &v)))
-                .collect(),
-            position: constraints()
-                .filter(|(_, c)| c.level == Level::Position)
-                .map(|(i, c)| (c.name.clone(), self.position(i, t, &x)))
-                .collect(),
-        }
-    }
 }
 
 pub(super) fn lift(values: &[f64]) -> Vec<Entry> {
@@ -296,7 +223,7 @@ pub(super) fn lift(values: &[f64]) -> Vec<Entry> {
 
 /// Speeds are drawn of order one, and each is computed from the others: so each has the size of the largest, and at least one,
 /// even where it happens to vanish.
-fn lift_speeds(values: &[f64]) -> Vec<Entry> {
+pub(super) fn lift_speeds(values: &[f64]) -> Vec<Entry> {
     let size = values.iter().fold(1.0_f64, |size, v| size.max(v.abs()));
     values.iter().map(|&value| Entry { value, size }).collect()
 }

@@ -85,7 +85,9 @@ impl Builder {
             (self.order[..m].iter().map(|&j| self.v[j].clone()).collect::<Vec<_>>(), self.names.clone());
         let plain = speeds.join(", ");
         let combined = self.writer.random.once_in(2).then(|| self.combined(&speeds, &bound, &names));
-        let several = self.writer.random.once_in(3);
+        // a combination of one speed alone would be no other choice
+        let alone = |list: &String| (1..=speeds.len()).fold(list.clone(), |l, i| l.replace(&format!("s{i} = "), ""));
+        let several = self.writer.random.once_in(3) && combined.as_ref().is_none_or(|list| alone(list) != plain);
         let lists = match (combined, several) {
             (None, _) => vec![plain],
             (Some(combined), false) => vec![combined],

@@ -3,6 +3,34 @@
 use super::generate::RandomModel;
 use super::in_one_stage;
 
+/// The functions that models use, each with three derivatives.
+const FUNCTIONS: &str = "\
+pub fn wave(s: f64) -> f64 {
+    s.sin() / 2.0
+}
+pub fn wave_1(s: f64) -> f64 {
+    s.cos() / 2.0
+}
+pub fn wave_2(s: f64) -> f64 {
+    -s.sin() / 2.0
+}
+pub fn wave_3(s: f64) -> f64 {
+    -s.cos() / 2.0
+}
+pub fn bump(s: f64) -> f64 {
+    1.0 / (1.0 + s * s)
+}
+pub fn bump_1(s: f64) -> f64 {
+    -2.0 * s / (1.0 + s * s).powi(2)
+}
+pub fn bump_2(s: f64) -> f64 {
+    (6.0 * s * s - 2.0) / (1.0 + s * s).powi(3)
+}
+pub fn bump_3(s: f64) -> f64 {
+    24.0 * s * (1.0 - s * s) / (1.0 + s * s).powi(4)
+}
+";
+
 /// The structs, a macro that calls another one with every model and its fields, and one with every pair of a model in two stages
 /// and the same in one.
 pub fn crate_text(models: &[RandomModel]) -> String {
@@ -17,7 +45,7 @@ pub fn crate_text(models: &[RandomModel]) -> String {
     let pairs: String = wholes.iter().map(pair).collect();
     format!(
         "// Generated from tests/random: random models, and macros that name them all.\n\n\
-         use holonomy::ConstrainedSystem;\n{structs}\n\
+         use holonomy::ConstrainedSystem;\n\n{FUNCTIONS}{structs}\n\
          macro_rules! every_random_model {{\n    ($then:ident) => {{\n        $then! {{\n{calls}        }}\n    }};\n}}\n\
          pub(crate) use every_random_model;\n\n\
          macro_rules! every_random_pair {{\n    ($then:ident) => {{\n        $then! {{\n{pairs}        }}\n    }};\n}}\n\

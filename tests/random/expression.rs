@@ -38,14 +38,24 @@ impl Writer {
         self.random.one_of(names).clone()
     }
 
-    /// A smooth expression that stays between -1 and 1; 0.5 where there is nothing to depend on.
+    /// An expression that stays between -1 and 1, smooth beside where it changes its case.
     pub fn bounded(&mut self, names: &[String]) -> String {
+        if names.is_empty() || !self.random.once_in(8) {
+            return self.smooth(names);
+        }
+        let (a, c) = (self.name(names), self.decimal(-0.6, 0.6));
+        let sign = ["<", "<=", ">", ">="][self.random.below(4)];
+        format!("(if {a} {sign} {c} {{ {} }} else {{ {} }})", self.smooth(names), self.smooth(names))
+    }
+
+    /// A smooth expression that stays between -1 and 1; 0.5 where there is nothing to depend on.
+    pub fn smooth(&mut self, names: &[String]) -> String {
         if names.is_empty() {
             return "0.5".to_string();
         }
         let (a, b) = (self.name(names), self.name(names));
         let c = self.decimal(0.3, 1.0);
-        match self.random.below(14) {
+        match self.random.below(16) {
             0 | 1 => format!("sin({})", self.linear(names)),
             2 | 3 => format!("cos({})", self.linear(names)),
             4 => format!("sin({})*cos({})", self.linear(names), self.linear(names)),
@@ -57,6 +67,8 @@ impl Writer {
             10 => format!("ln(1.60 + {c}*cos({a}))"),
             11 => format!("{c}*sin({a})/(1.50 + cos({b}))"),
             12 => format!("powi(cos({}), 3)", self.linear(names)),
+            13 => format!("wave({})", self.linear(names)),
+            14 => format!("bump({})", self.linear(names)),
             _ => {
                 let p = self.random.one_of(&self.parameters).clone();
                 format!("sin({p}*{a}{})", self.signed(0.1, 1.0))

@@ -5,7 +5,7 @@ use super::statements::Direction;
 use crate::support::splitmix::SplitMix;
 
 /// The kinds of constraint systems, in turn.
-pub const KINDS: [&str; 20] = [
+pub const KINDS: [&str; 22] = [
     "free (k = n)",
     "velocity rows",
     "position rows",
@@ -26,7 +26,12 @@ pub const KINDS: [&str; 20] = [
     "redundant rows",
     "no constant pivot",
     "configuration, then nonlinear and acceleration rows",
+    "several charts",
+    "families",
 ];
+
+/// The kind that is stated by families.
+const FAMILIES: usize = 21;
 
 /// A model as text, with what it is a case of.
 #[derive(Clone, Debug)]
@@ -49,18 +54,28 @@ pub fn generate(seed: u64, number: usize) -> RandomModel {
     let values: Vec<String> = parameters.iter().map(|_| format!("{:.2}", random.between(0.5, 1.5))).collect();
     let kind = number % KINDS.len();
     let least = match kind {
-        5 | 6 | 8 | 14 | 15 | 17 => 2,
+        5 | 6 | 8 | 14 | 15 | 17 | 20 | 21 => 2,
         16 | 19 => 3,
         _ => 1,
     };
     let n = ((number / KINDS.len() + random.below(2)) % 6 + 1).max(least);
     let mut model = Builder::new(Writer { random, parameters: parameters.clone() }, n, kind);
-    let statements = model.statements();
+    let (statements, arrays) = if kind == FAMILIES { model.families() } else { (model.statements(), String::new()) };
+    let statements = with_functions(statements);
     let name = format!("Random{number}");
     let field = |(p, value): (&String, &String)| format!("    #[nominal({value})]\n    pub {p}: f64,\n");
-    let fields: String = parameters.iter().zip(&values).map(field).collect();
+    let fields = parameters.iter().zip(&values).map(field).collect::<String>() + &arrays;
+    let named = |line: &str| Some(line.trim().strip_prefix("pub ")?.split_once(':')?.0.to_string());
+    let parameters = fields.lines().filter_map(named).collect();
     let source = format!("#[derive(ConstrainedSystem, Clone, Debug)]\n{statements}pub struct {name} {{\n{fields}}}\n");
     RandomModel { name, source, parameters, classes: model.classes }
+}
+
+/// The statements, those about the functions of the user's that they use in front.
+fn with_functions(statements: String) -> String {
+    let used = ["wave", "bump"].into_iter().filter(|name| statements.contains(&format!("{name}(")));
+    let declared = used.map(|f| format!("#[function({f}(s), derivatives = [{f}_1, {f}_2, {f}_3])]\n"));
+    declared.collect::<String>() + &statements
 }
 
 /// A model in the making.

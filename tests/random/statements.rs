@@ -62,7 +62,7 @@ impl Writer {
 
     /// The statement for M: diagonal, or L Lᵀ with its factors inline or under names of their own.
     ///
-    /// With speeds, T = vᵀ M v / 2 is stated instead, as a sum of squares.
+    /// With speeds, T = vᵀ M v / 2 + bᵀ v + T0 is stated instead, its first part as a sum of squares.
     pub fn inertia(
         &mut self,
         n: usize,
@@ -75,7 +75,8 @@ impl Writer {
             let masses: Vec<String> = (0..n).map(|_| self.positive(names)).collect();
             if let Some(speeds) = speeds {
                 let terms = masses.iter().zip(speeds).map(|(m, v)| format!("{m}*powi({v}, 2)/2"));
-                return format!("#[kinetic_energy({})]\n", terms.collect::<Vec<_>>().join(" + "));
+                let squares = terms.collect::<Vec<_>>().join(" + ");
+                return format!("#[kinetic_energy({squares}{})]\n", self.lower_terms(names, speeds));
             }
             return format!("#[inertia(diag({}))]\n", masses.join(", "));
         }
@@ -110,7 +111,8 @@ impl Writer {
                 format!("powi({}, 2)/2", terms.join(" + "))
             };
             let squares: Vec<String> = (0..n).map(square).collect();
-            return format!("{definitions}#[kinetic_energy({})]\n", squares.join(" + "));
+            let rest = self.lower_terms(names, speeds);
+            return format!("{definitions}#[kinetic_energy({}{rest})]\n", squares.join(" + "));
         }
         let entry = |i: usize, j: usize| {
             let terms = (0..=i.min(j)).filter(|&k| !factor[i][k].is_empty() && !factor[j][k].is_empty());
@@ -123,6 +125,20 @@ impl Writer {
         };
         let rows: String = (0..n).map(row).collect();
         format!("{definitions}#[inertia(matrix(\n{rows}))]\n")
+    }
+
+    /// bᵀ v and T0, each or none.
+    fn lower_terms(&mut self, names: &[String], speeds: &[String]) -> String {
+        let mut terms = String::new();
+        for speed in speeds {
+            if self.random.once_in(3) {
+                terms += &format!("{}*{}*{speed}", self.signed(0.2, 0.7), self.bounded(names));
+            }
+        }
+        if self.random.once_in(2) {
+            terms += &format!("{}*{}", self.signed(0.2, 0.7), self.bounded(names));
+        }
+        terms
     }
 
     /// The statement for h*.

@@ -8,8 +8,14 @@ pub mod models;
 
 pub use models::*;
 
+#[path = "../models/arm.rs"]
+pub mod arm;
+#[path = "../models/bicycle.rs"]
+pub mod bicycle;
 #[path = "../models/bodies.rs"]
 pub mod bodies;
+#[path = "../models/chains.rs"]
+pub mod chains;
 #[path = "../models/combined.rs"]
 pub mod combined;
 #[path = "../models/coupled.rs"]
@@ -51,6 +57,16 @@ pub mod example_turntable;
 macro_rules! every_model {
     ($then:ident) => {
         $then! {
+            "tests/models/arm.rs" arm:
+                Puma(
+                    g, a2, a3, d3, d4, m2, m3, m4, m5, m6, rx2, ry2, rz2, rx3, ry3, rz3, ry4, rz6, iy1, ix2, iy2, iz2,
+                    ix3, iy3, iz3, ix4, iy4, iz4, ix5, iy5, iz5, ix6, iy6, iz6, motor
+                );
+            "tests/models/bicycle.rs" bicycle:
+                Bicycle(
+                    g, rr, rf, d1, d2, d3, l1, l2, l3, l4, mr, mb, mh, mf, irx, iry, ibx, iby, ibz, ibxz, ihx, ihy, ihz,
+                    ihxz, ifx, ify
+                );
             "tests/models/blades.rs" blades:
                 Sleigh(m, i, a)
                 SleighInPlane(m, i, a)
@@ -59,6 +75,9 @@ macro_rules! every_model {
                 HeavyTop(m, g, j1, j2, j3, l)
                 Flyball(g, k, cd, l0, m_rod, l_rod, w_rod, off, m_ball, m_slider, b_slider)
                 TriplePendulum(m, l, g);
+            "tests/models/chains.rs" chains:
+                TenPendulums(m, l, g)
+                TwentyPendulums(m, l, g);
             "tests/models/coupled.rs" coupled:
                 SixBar(l1, l2, l3, l4, l5, a, b, d, j1, j2, j3, j4, j5, w1, w2, w3, w4, w5, tau);
             "tests/models/energies.rs" energies:
@@ -80,6 +99,7 @@ macro_rules! every_model {
                 CarAxis(eps, m, l, l0, r, w, g)
                 FourBar(l1, l2, l3, d, m1, m2, m3, g, tau)
                 SliderCrank(l, m1, m2, m3, g)
+                SliderCrankOnBranch(l, m1, m2, m3, g)
                 Andrews(
                     m1, m2, m3, m4, m5, m6, m7, i1, i2, i3, i4, i5, i6, i7, xa, ya, xb, yb, xc, yc,
                     d, da, e, ea, zf, zt, fa, rr, ra, ss, sa, sb, sc, sd, ta, tb, u, ua, ub, c0,

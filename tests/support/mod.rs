@@ -2,6 +2,7 @@
 #![allow(dead_code, unused_imports, reason = "every test file uses its own part")]
 
 pub mod extrapolation;
+pub mod fields;
 pub mod golden;
 pub mod running;
 pub mod special;

@@ -58,12 +58,19 @@ impl Families {
         for pair in tokens.windows(2) {
             let [TokenTree::Ident(name), TokenTree::Group(group)] = pair else { continue };
             let inner: Vec<TokenTree> = group.stream().into_iter().collect();
-            match group.delimiter() {
-                Delimiter::Bracket => {
-                    let length = integer::value(&self.with_sizes(&inner));
-                    self.arrays.insert(name.to_string(), length);
-                }
-                Delimiter::Parenthesis if name == "of" => self.declare(group.stream()),
+            if group.delimiter() == Delimiter::Bracket {
+                let length = integer::value(&self.with_sizes(&inner));
+                self.arrays.insert(name.to_string(), length);
+            }
+        }
+    }
+
+    /// Takes note of the arrays that a statement introduces besides what it says of others: `of(a[n])`, `speeds(u[n])`.
+    pub fn declare_introduced(&mut self, tokens: TokenStream) {
+        let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+        for pair in tokens.windows(2) {
+            match pair {
+                [TokenTree::Ident(word), TokenTree::Group(group)] if introduces(word) => self.declare(group.stream()),
                 _ => {}
             }
         }
@@ -96,21 +103,26 @@ impl Families {
     /// The entries between commas, each written out.
     fn list(&mut self, tokens: Vec<TokenTree>, diagnostics: &mut Diagnostics) -> Vec<TokenTree> {
         let mut out = Vec::new();
-        for (entry, comma) in cut(tokens) {
+        let mut entries = cut(tokens).into_iter().peekable();
+        while let Some((entry, comma)) = entries.next() {
             let at = entry.iter().position(|token| matches!(token, TokenTree::Ident(ident) if ident == "for"));
             let Some(at) = at else {
                 match entry.as_slice() {
                     // What a list declares has lengths, not indices.
-                    [TokenTree::Ident(of), TokenTree::Group(_)] if of == "of" => out.extend(entry),
+                    [TokenTree::Ident(word), TokenTree::Group(_)] if introduces(word) => out.extend(entry),
                     _ => out.extend(self.sequence(entry, diagnostics)),
                 }
                 out.extend(comma);
                 continue;
             };
+            // A word about the family is one about each of its entries.
+            let word = entries.next_if(|(next, _)| is_word(next)).map(|(word, _)| word);
             for copy in self.copies(&entry[..at], &entry[at..], diagnostics) {
-                let end = copy.last().map_or(entry[at].span(), TokenTree::span);
-                out.extend(copy);
-                out.push(punct(',', end));
+                for part in std::iter::once(copy).chain(word.clone()) {
+                    let end = part.last().map_or(entry[at].span(), TokenTree::span);
+                    out.extend(part);
+                    out.push(punct(',', end));
+                }
             }
         }
         out
@@ -262,6 +274,16 @@ impl Families {
         }
         self.spent <= MOST_TOKENS
     }
+}
+
+/// Whether an entry is a word about the constraint before it.
+fn is_word(entry: &[TokenTree]) -> bool {
+    matches!(entry, [TokenTree::Ident(word)] if word == "redundant")
+}
+
+/// Whether names are introduced in the parentheses behind this word.
+fn introduces(word: &Ident) -> bool {
+    word == "of" || word == "speeds"
 }
 
 /// `0..n` or `1..=n`

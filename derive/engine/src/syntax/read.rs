@@ -84,8 +84,12 @@ fn write_out(statements: &mut Vec<Statement>, families: &mut Families, diagnosti
     for size in statements.iter().filter(|statement| is(statement, &["size"])) {
         families.size(size.tokens.clone(), size.end, diagnostics);
     }
-    for statement in statements.iter().filter(|s| is(s, &["coordinates", "speeds", "inputs", "configuration"])) {
-        families.declare(statement.tokens.clone());
+    for statement in statements.iter() {
+        if is(statement, &["coordinates", "speeds", "inputs"]) {
+            families.declare(statement.tokens.clone());
+        } else if is(statement, &["configuration", "velocities"]) {
+            families.declare_introduced(statement.tokens.clone());
+        }
     }
     statements.retain(|statement| !is(statement, &["size"]));
     for statement in statements {

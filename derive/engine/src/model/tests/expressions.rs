@@ -195,18 +195,63 @@ fn families_are_what_they_stand_for() {
         #[independent(w_2)]
         #[start(a_0 = 1/10, a_1 = 2/10, a_2 = 3/10)]
         struct Model { m_0: f64, m_1: f64, m_2: f64, l_0: f64, l_1: f64, l_2: f64, g: f64 }";
-    let text = |source: &str| {
-        let system = super::super::build(&super::declarations(source)).unwrap();
-        let rows = system.rows.iter().map(|row| match row.kind {
-            super::super::RowKind::Position(e) | super::super::RowKind::Velocity(e) => e,
-            _ => panic!("neither"),
-        });
-        let all: Vec<Expr> =
-            system.inertia.entries().iter().copied().chain(system.forces.iter().copied()).chain(rows).collect();
-        let names: Vec<String> = system.rows.iter().map(|row| row.name.clone()).collect();
-        (system.graph.display_all(&all), names, format!("{:?}", system.start))
-    };
     assert_eq!(text(families), text(written));
+}
+
+/// Coordinates that a configuration gives are no arrays that it introduces; its speeds are. A word follows every entry.
+#[test]
+fn families_in_configurations_and_words_about_them() {
+    let families = "
+        #[size(n = 2)]
+        #[coordinates(x[n], y[n])]
+        #[inertia(diag(1 for i in 0..2*n))]
+        #[forces(x[i] for i in 0..n, y[i] for i in 0..n)]
+        #[configuration(
+            of(a[n]),
+            speeds(u[n]),
+            dot(a[i]) = (i + 1)*u[i] for i in 0..n,
+            x[i] = sum(0..=i, |j| sin(a[j])) for i in 0..n,
+            y[i] = sum(0..=i, |j| cos(a[j])) for i in 0..n,
+        )]
+        #[constraint(first[i]: dot(x[i]) == 0 for i in 0..n)]
+        #[constraint(again[i]: 2*dot(x[i]) == 0 for i in 0..n, redundant)]
+        struct Model { m: f64 }";
+    let written = "
+        #[coordinates(x_0, x_1, y_0, y_1)]
+        #[inertia(diag(1, 1, 1, 1))]
+        #[forces(x_0, x_1, y_0, y_1)]
+        #[configuration(
+            of(a_0, a_1),
+            speeds(u_0, u_1),
+            dot(a_0) = u_0,
+            dot(a_1) = 2*u_1,
+            x_0 = sin(a_0),
+            x_1 = sin(a_0) + sin(a_1),
+            y_0 = cos(a_0),
+            y_1 = cos(a_0) + cos(a_1),
+        )]
+        #[constraint(first_0: dot(x_0) == 0)]
+        #[constraint(first_1: dot(x_1) == 0)]
+        #[constraint(again_0: 2*dot(x_0) == 0, redundant)]
+        #[constraint(again_1: 2*dot(x_1) == 0, redundant)]
+        struct Model { m: f64 }";
+    let said = text(families);
+    assert_eq!(said, text(written));
+    assert!(said.2.contains("[false, false, true, true]"), "{}", said.2);
+}
+
+/// A system in words: its expressions, the names of its rows, and what else is said.
+fn text(source: &str) -> (Vec<String>, Vec<String>, String) {
+    let system = super::super::build(&super::declarations(source)).unwrap();
+    let rows = system.rows.iter().map(|row| match row.kind {
+        super::super::RowKind::Position(e) | super::super::RowKind::Velocity(e) => e,
+        _ => panic!("neither"),
+    });
+    let all: Vec<Expr> =
+        system.inertia.entries().iter().copied().chain(system.forces.iter().copied()).chain(rows).collect();
+    let names: Vec<String> = system.rows.iter().map(|row| row.name.clone()).collect();
+    let redundant: Vec<bool> = system.rows.iter().map(|row| row.redundant).collect();
+    (system.graph.display_all(&all), names, format!("{:?} {redundant:?}", system.start))
 }
 
 #[test]
