@@ -68,6 +68,7 @@ pub struct Random1 {
 )]
 #[potential_energy(tan(0.69*sin(x1))/2)]
 #[constraint(row1: 1.64*x1 + 0.30*sin(0.70*t) + 0.28 == 0)]
+#[output(place = sin(0.58*x1 + 0.84*t), power = 1.87*v1 + p2*1.79 + 0.97*v1 + 1.12*v1, push = x1/(1 + powi(x1, 2))*dot(v1) + v1*ddot(x1), pull = (1.25 + 0.16*powi(cos(1.04*x1 - 0.89*x1), 3))*reaction(row1) - push, share = pull/(1.21 + powi(reaction(row1), 2)))]
 pub struct Random2 {
     #[nominal(0.86)]
     pub p1: f64,
@@ -88,6 +89,7 @@ pub struct Random2 {
     p2*0.97 + 1.75*v1 + 1.76*powi(v1, 2) + 0.57*v1/(1 + powi(x1, 2)),
 )]
 #[constraint(row1: 1.15*v1 + 0.40*(if x1 > -0.03 { sin(p2*x1 + 0.59) } else { powi(cos(0.40*x1 - 0.81*x1 + 0.90), 3) }) == 0)]
+#[output(place = cos(0.88*x1 - 0.74*x1), power = 1.56*cos(1.09*x1 + 0.69*x1 + 0.61) - 1.66*v1/(1 + powi(x1, 2)) - 1.06*v1/(1 + powi(x1, 2)) - p2*exp(0.20*x1), push = exp(-powi(t, 2)/2)*dot(v1) + v1*ddot(x1), pull = (1.36 + 0.25*exp(-powi(t, 2)/2))*reaction(row1) - push, share = pull/(1.69 + powi(reaction(row1), 2)))]
 pub struct Random3 {
     #[nominal(0.77)]
     pub p1: f64,
@@ -107,6 +109,7 @@ pub struct Random3 {
 )]
 #[constraint(height: 1.72*x1 + 0.20*sin(x1) + 0.30*sin(0.95*t) + 0.28 == 0)]
 #[constraint(height_rate: 1.72*dot(x1) + 0.20*cos(x1)*dot(x1) + 0.30*0.95*cos(0.95*t) == 0)]
+#[output(place = cos(1.14*t), power = 0.85*sin(p1*x1 - 0.26) + p1*v1*v1*powi(cos(0.98*t), 3), push = cos(0.93*t + 0.91)*dot(v1) + v1*ddot(x1))]
 pub struct Random4 {
     #[nominal(1.47)]
     pub p1: f64,
@@ -129,6 +132,7 @@ pub struct Random4 {
 #[constraint(height: 1.51*x1 + 0.24*sin(x1) + 0.30*sin(1.03*t) + 0.54 == 0)]
 #[constraint(first: (1.50 - 0.24*sin(p1*t + 0.48))*dot(x2) + 0.32*wave(0.53*t - 0.66*x2 - 0.90)*dot(x1) - 0.47*(if x2 < -0.25 { t/(1 + powi(t, 2)) } else { cos(1.04*x2) }) == 0)]
 #[constraint(second: 1.51*dot(x1) + 0.24*cos(x1)*dot(x1) + 0.30*1.03*cos(1.03*t) - 0.50*tan(0.34*sin(x1))/2*((1.50 - 0.24*sin(p1*t + 0.48))*dot(x2) + 0.32*wave(0.53*t - 0.66*x2 - 0.90)*dot(x1) - 0.47*(if x2 < -0.25 { t/(1 + powi(t, 2)) } else { cos(1.04*x2) })) == 0)]
+#[output(place = cos(0.88*x2 + 0.67*x1), power = p1*dot(x1)*dot(x1)*sin(0.64*x2 + 0.55), push = 0.52*sin(x1)/(1.50 + cos(x1))*ddot(x1) + dot(x1)*ddot(x1))]
 pub struct Random5 {
     #[nominal(1.25)]
     pub p1: f64,
@@ -154,6 +158,7 @@ pub struct Random5 {
 #[potential_energy(wave(0.69*x2 + 1.35))]
 #[configuration(x1 = 0.56*sin(0.78*x2 - 0.79*x2)*cos(1.19*x2 + 0.53))]
 #[constraint(held_x1: x1 - (0.56*sin(0.78*x2 - 0.79*x2)*cos(1.19*x2 + 0.53)) == 0)]
+#[output(place = atan2(x1, 2 + cos(x2))/2, power = 1.38*powi(v2, 2) - v2*sqrt(2 + powi(v2, 2)) - p1*v1*v2*0.38*sin(x2)/(1.50 + cos(x2)) - 1.49*v2/(1 + powi(x2, 2)), push = sin(0.63*x1)*cos(0.41*x1 - 0.52*x2)*dot(v2) + v2*ddot(x2), pull = (1.29 - 0.29*atan2(x1, 2 + cos(x1))/2)*reaction(held_x1) - push, share = pull/(1.26 + powi(reaction(held_x1), 2)))]
 pub struct Random6 {
     #[nominal(1.31)]
     pub p1: f64,
@@ -181,6 +186,7 @@ pub struct Random7 {
 
 #[derive(ConstrainedSystem, Clone, Debug)]
 #[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
+#[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2)]
 #[speeds(v1, v2)]
 #[kinematics(
@@ -199,6 +205,7 @@ pub struct Random7 {
     1.52*v2/(1 + powi(x1, 2)),
 )]
 #[configuration(x1 = 0.66*sin(1.05*t + 0.78*x2))]
+#[output(place = bump(0.50*t + 0.43*t), power = 1.63*v1/(1 + powi(t, 2)) - p1*v1*v1*sin(0.84*t)*cos(1.16*x1 + 0.67*x1) - v1*v2/1.05, push = bump(0.76*x1 - 0.99)*dot(v2) + v2*ddot(x2))]
 pub struct Random8 {
     #[nominal(0.54)]
     pub p1: f64,
@@ -253,6 +260,7 @@ pub struct Random9 {
 )]
 #[potential_energy(sin(p2*x1 + 0.20))]
 #[constraint(row1: 1.85*x1 + 0.24*sin(x1) + 0.18*x2*x2 - 0.68 == 0)]
+#[output(place = cos(0.76*x2 + 0.57), power = p2*v2*v1*sin(0.47*x1 - 0.46*x1) - p2*exp(0.20*x2), push = x1/(1 + powi(x1, 2))*dot(v1) + v1*ddot(x1), pull = 1.12*reaction(row1) - push, share = pull/(1.60 + powi(reaction(row1), 2)))]
 pub struct Random10 {
     #[nominal(1.09)]
     pub p1: f64,
@@ -261,6 +269,7 @@ pub struct Random10 {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2)]
 #[inertia(diag((1.14 - 0.26*sin(0.48*x2 + 0.29*x1)*cos(1.17*x1 + 0.59*x1)), (1.26 - 0.27*atan2(x1, 2 + cos(x1))/2)))]
 #[forces(
@@ -270,6 +279,7 @@ pub struct Random10 {
 #[potential_energy(cos(0.85*x1 + 0.51))]
 #[constraint(row1: 1.32*x1 + 0.25*sin(x1) - 0.29 == 0)]
 #[constraint(row2: 1.78*x2 + 0.31*x1*x1 - 0.19 == 0)]
+#[output(place = (if x1 > 0.02 { sin(p1*x2 - 0.11) } else { sin(0.58*x1 + 0.46) }), power = p1*exp(0.20*x2) - p1*x2, push = bump(1.16*x1)*ddot(x1) + dot(x1)*ddot(x1), pull = 1.23*reaction(row1) - push, share = pull/(1.22 + powi(reaction(row1), 2)))]
 pub struct Random11 {
     #[nominal(1.33)]
     pub p1: f64,
@@ -284,6 +294,7 @@ pub struct Random11 {
     dot(x1)*sqrt(2 + powi(dot(x1), 2)) - dot(x1)*dot(x1)/(1.38 + 0.28*sin(1.12*x1)),
 )]
 #[constraint(row1: 1.93*dot(x1) + 0.25*sqrt(1.50 + powi(dot(x1), 2) + powi(dot(x1), 2)) - 0.51*0.41*sin(x1)/(1.50 + cos(x1)) == 0)]
+#[output(place = x1/(1 + powi(x1, 2)), power = 0.32*powi(dot(x1), 2) - p1*dot(x1)*dot(x1)*x1/(1 + powi(x1, 2)), push = 1/sqrt(1.50 + powi(x1, 2))*ddot(x1) + dot(x1)*ddot(x1), pull = (1.22 - 0.14*sin(0.91*x1 + 0.29*x1))*reaction(row1) - push, share = pull/(1.46 + powi(reaction(row1), 2)))]
 pub struct Random12 {
     #[nominal(0.51)]
     pub p1: f64,
@@ -298,7 +309,9 @@ pub struct Random12 {
 )]
 #[potential_energy(1/sqrt(1.50 + powi(x1, 2)))]
 #[constraint(row1: ddot(x1) - 0.28*dot(x1) - 0.28*bump(1.12*x1 - 0.25*x1 - 1.04) == 0)]
-#[independent(s1 = 1.61*dot(x1))]
+#[independent(dot(x1))]
+#[independent(s1 = 1.71*dot(x1) + 0.53*(if t <= -0.46 { powi(cos(0.65*x1 + 0.93), 3) } else { cos(0.81*x1 - 0.24*t) }))]
+#[output(place = cos(0.53*x1), power = 0.70*dot(x1)/(1 + powi(x1, 2)) - 1.18*dot(x1)/(1 + powi(t, 2)), push = sin(p3*t - 0.94)*ddot(x1) + dot(x1)*ddot(x1), pull = 1.02*reaction(row1) - push, share = pull/(1.31 + powi(reaction(row1), 2)))]
 pub struct Random13 {
     #[nominal(1.23)]
     pub p1: f64,
@@ -319,6 +332,7 @@ pub struct Random13 {
 #[constraint(row2: 1.15*dot(x1) + 0.28*dot(x1)*dot(x2)*ln(1.60 + 0.42*cos(x1)) - 0.41*atan2(x2, 2 + cos(x1))/2 == 0)]
 #[independent(dot(x1))]
 #[independent(s1 = 1.05*dot(x1) - 0.11*sin(1.12*x2)*dot(x2))]
+#[output(place = tan(0.40*sin(x1))/2, power = p2*exp(0.20*x2) + 1.37*dot(x1) + p1*0.72, push = exp(-powi(x2, 2)/2)*ddot(x2) + dot(x2)*ddot(x2), pull = (1.11 + 0.19*sin(0.80*x2))*reaction(row2) - push, share = pull/(1.06 + powi(reaction(row2), 2)))]
 pub struct Random14 {
     #[nominal(1.20)]
     pub p1: f64,
@@ -378,6 +392,7 @@ pub struct Random15 {
 #[constraint(row1: v1 == 0)]
 #[constraint(row2: 1.09*v2 + 0.24*sin(v2 + sin(0.89*x3)*v1) + 0.33*tan(0.54*sin(x1))/2 == 0)]
 #[constraint(row3: dot(v3) - 0.13*atan2(x2, 2 + cos(x1))/2*dot(v1) - 0.16*cos(0.59*x2 + 0.66*x3)*dot(v2) + 0.48*v3/sqrt(1.20 + powi(v1, 2)) == 0)]
+#[output(place = sin(p3*x1 - 0.13), power = 1.79*powi(v2, 2) - 0.66*cos(1.14*x2 - 0.59*x3 + 1.11), push = sin(0.47*x1 + 0.36*x2 + 0.83)*dot(v1) + v3*ddot(x3), pull = (1.34 + 0.34*sin(p1*x3 + 0.13))*reaction(row2) - push, share = pull/(1.77 + powi(reaction(row2), 2)))]
 pub struct Random16 {
     #[nominal(1.42)]
     pub p1: f64,
@@ -454,6 +469,7 @@ pub struct Random19 {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
 #[coordinates(x1, x2)]
 #[speeds(v1, v2)]
 #[kinematics(
@@ -468,6 +484,7 @@ pub struct Random19 {
 #[constraint(row1: (1.52 + 0.20*0.81*sin(x1)/(1.50 + cos(x1)))*v1 - 0.96*v2 - 0.35*powi(cos(0.85*x1 - 0.53*x1), 3) == 0)]
 #[independent(v2)]
 #[independent(v1)]
+#[output(place = wave(0.93*x1 + 0.87*x2 + 1.09), power = p1*v2*v2*(if x2 > 0.09 { atan2(x2, 2 + cos(x2))/2 } else { 0.90*sin(x2)/(1.50 + cos(x1)) }) + p1*0.70, push = wave(0.62*x1)*dot(v1) + v1*ddot(x1), pull = (1.17 + 0.27*sin(0.88*x2))*reaction(row1) - push, share = pull/(1.72 + powi(reaction(row1), 2)))]
 pub struct Random20 {
     #[nominal(1.44)]
     pub p1: f64,
@@ -494,6 +511,7 @@ pub struct Random21 {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
 #[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2)]
 #[inertia(diag((1.16 + 0.21*bump(0.80*x2 - 0.68*x1)), (1.22 + 0.26*sin(0.41*x1 - 0.46*x1))))]
@@ -501,6 +519,7 @@ pub struct Random21 {
     dot(x2)*dot(x1)/(1.05 - 0.10*(if x2 > 0.21 { sin(1.04*x2 - 0.39*x1) } else { sin(0.51*x2 + 0.59*x1) })) - p1*dot(x2)*dot(x2)*atan2(x1, 2 + cos(x1))/2,
     0.90*(if x1 <= 0.14 { exp(-powi(x2, 2)/2) } else { x1/(1 + powi(x1, 2)) }) + 1.58*sin(0.58*x2)*cos(1.14*x2 + 0.84*x1) + p1*1.64,
 )]
+#[output(place = wave(0.84*x1 - 0.60*x1 - 0.51), power = 1.87*sin(0.59*x1)*cos(0.79*x2 - 0.68*x2 + 0.96) - 0.34*cos(0.99*x2 - 0.76) - p1*exp(0.20*x1) - 0.45*dot(x2), push = bump(1.04*x2 + 0.84)*ddot(x2) + dot(x2)*ddot(x2))]
 pub struct Random22 {
     #[nominal(0.85)]
     pub p1: f64,
@@ -508,6 +527,7 @@ pub struct Random22 {
 
 #[derive(ConstrainedSystem, Clone, Debug)]
 #[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
+#[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2)]
 #[inertia(diag((1.34 - 0.13*sin(0.56*x1)), 1.30))]
 #[forces(
@@ -518,6 +538,7 @@ pub struct Random22 {
 #[constraint(row1: (1.50 - 0.25*powi(cos(0.58*x2 - 0.27*x2), 3))*dot(x1) + 0.22*sin(0.75*x2 + 0.72*x1)*dot(x2) == 0)]
 #[independent(dot(x2))]
 #[independent(s1 = dot(x2) + 0.11*0.31*sin(x1)/(1.50 + cos(x2))*dot(x1) + 0.26*x2/(1 + powi(x2, 2)))]
+#[output(place = x2/(1 + powi(x2, 2)), power = dot(x2)*dot(x1)/(1.22 + 0.18*x2/(1 + powi(x2, 2))) - p1*0.50 - dot(x1)*dot(x2)/1.18 - p2*x1, push = bump(1.05*x2 + 0.24*x1)*ddot(x1) + dot(x1)*ddot(x1), pull = 1.22*reaction(row1) - push, share = pull/(1.69 + powi(reaction(row1), 2)))]
 pub struct Random23 {
     #[nominal(0.74)]
     pub p1: f64,
@@ -540,6 +561,7 @@ pub struct Random23 {
 )]
 #[constraint(row1: 1.41*x1 + 0.14*sin(x1) + 0.33*x2 + 0.36 == 0)]
 #[independent(s1 = 1.96*v2 - 0.25*sin(0.93*x2 - 0.47*x1 + 0.29)*v1)]
+#[output(place = 1/sqrt(1.50 + powi(x2, 2)), power = 1.00*powi(v1, 2) - p2*v1*v2*cos(0.80*x1 - 1.48) - 0.73*powi(v2, 2), push = powi(cos(1.19*x1 + 1.13), 3)*dot(v1) + v1*ddot(x1), pull = 1.23*reaction(row1) - push, share = pull/(1.48 + powi(reaction(row1), 2)))]
 pub struct Random24 {
     #[nominal(1.14)]
     pub p1: f64,
@@ -592,6 +614,7 @@ pub struct Random25 {
 #[constraint(height_rate: 1.86*dot(x1) + 0.24*exp(0.24*x3)*dot(x3)/2 == 0)]
 #[constraint(further: dot(x2) - 0.29*1/sqrt(1.50 + powi(x3, 2))*dot(x3) - 0.28*cos(0.76*x2 - 0.76*x3)*dot(x1) == 0)]
 #[independent(s1 = 1.61*dot(x3) - 0.22*bump(0.76*x1 - 0.42*x1)*dot(x1) + 0.55*tan(0.44*sin(x3))/2)]
+#[output(place = tan(0.84*sin(x1))/2, power = dot(x1)*sqrt(2 + powi(dot(x2), 2)) - p2*x1, push = bump(1.13*x3 + 0.87)*ddot(x2) + dot(x3)*ddot(x3))]
 pub struct Random26 {
     #[nominal(0.87)]
     pub p1: f64,
@@ -623,6 +646,7 @@ pub struct Random26 {
 #[constraint(height: 1.69*x2 + 0.22*sin(x2) + 0.16*powi(x1, 2)/2 + 0.30*sin(1.15*t) - 0.57 == 0)]
 #[constraint(first: 1.36*v3 + 0.33*atan2(x2, 2 + cos(x2))/2*v1 + 0.28*cos(1.17*x2 - 0.79*x3)*v2 == 0)]
 #[constraint(second: 1.69*dot(x2) + 0.22*cos(x2)*dot(x2) + 0.16*x1*dot(x1) + 0.30*1.15*cos(1.15*t) - 0.50*sin(1.01*t - 1.15)*(1.36*v3 + 0.33*atan2(x2, 2 + cos(x2))/2*v1 + 0.28*cos(1.17*x2 - 0.79*x3)*v2) == 0)]
+#[output(place = tan(0.75*sin(x1))/2, power = p1*0.63 + v2*v2/(1.08 + 0.25*sin(0.82*x2 + 0.77)) + p1*x2 + 2.00*powi(v2, 2), push = (if x3 < 0.05 { sin(0.90*x1)*cos(1.15*x3) } else { powi(cos(0.99*x1), 3) })*dot(v3) + v1*ddot(x1))]
 pub struct Random27 {
     #[nominal(1.05)]
     pub p1: f64,
@@ -645,6 +669,7 @@ pub struct Random28 {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
 #[coordinates(x1, x2)]
 #[inertia(diag(1.35, (1.39 + 0.26*sin(0.60*x2)*cos(0.59*x1 - 1.29))))]
 #[forces(
@@ -654,6 +679,7 @@ pub struct Random28 {
 #[potential_energy(sin(0.87*x1)*cos(0.92*x1 - 0.84*x1))]
 #[configuration(of(q1), x2 = 1.25*q1, x1 = sin(p1*q1 + 0.99))]
 #[constraint(held_x1: x1 - (sin(p1*(x2/1.25) + 0.99)) == 0)]
+#[output(place = wave(1.06*x2 - 0.55*t), power = dot(x1)*sqrt(2 + powi(dot(x2), 2)), push = sin(0.96*t - 1.27)*ddot(x1) + dot(x2)*ddot(x2), pull = (1.27 + 0.28*cos(0.59*t))*reaction(held_x1) - push, share = pull/(1.95 + powi(reaction(held_x1), 2)))]
 pub struct Random29 {
     #[nominal(1.20)]
     pub p1: f64,
@@ -703,6 +729,7 @@ pub struct Random30 {
 #[complement(
     w1 = [-1.36*(0.66*0.64*sin(x1)/(1.50 + cos(x1))), 1.36, -1.36*(0.24*(if x1 >= -0.15 { 1/sqrt(1.50 + powi(x1, 2)) } else { tan(0.64*sin(x2))/2 }))],
 )]
+#[output(place = sin(p1*x3 - 0.75), power = p2*exp(0.20*x1) - 1.38*powi(dot(x3), 2), push = sin(0.74*x2 - 0.53*x1 - 0.72)*cos(0.54*x3 + 0.21*x3)*ddot(x1) + dot(x3)*ddot(x3), pull = (1.03 + 0.32*sin(1.08*x2 - 0.67*x3 + 0.56))*reaction(row2) - push, share = pull/(1.98 + powi(reaction(row2), 2)))]
 pub struct Random31 {
     #[nominal(0.80)]
     pub p1: f64,
@@ -729,6 +756,7 @@ pub struct Random31 {
 )]
 #[constraint(row1: 1.27*x2 + 0.27*sin(x1) + 0.78 == 0)]
 #[independent(v1)]
+#[output(place = exp(-powi(x2, 2)/2), power = p1*v1*v2*powi(cos(1.13*x1 - 1.42), 3), push = (if x2 < -0.15 { atan2(x2, 2 + cos(x1))/2 } else { wave(0.86*x2) })*dot(v2) + v1*ddot(x1), pull = (1.21 - 0.24*(if x2 > -0.07 { 0.56*sin(x2)/(1.50 + cos(x2)) } else { wave(0.84*x2 + 0.50) }))*reaction(row1) - push, share = pull/(1.33 + powi(reaction(row1), 2)))]
 pub struct Random32 {
     #[nominal(1.05)]
     pub p1: f64,
@@ -752,6 +780,7 @@ pub struct Random32 {
 #[constraint(row1: 1.33*x3 + 0.20*sin(x3) - 0.46 == 0)]
 #[constraint(row2: 1.80*v2 - 0.22*cos(0.99*x2 - 0.49*x1)*v3 - 0.52*powi(cos(0.67*x3 - 1.03), 3) == 0)]
 #[constraint(row3: (1.50 - 0.24*atan2(x2, 2 + cos(x3))/2)*v1 - 0.15*0.42*sin(x2)/(1.50 + cos(x1))*v3 + 0.34*1/sqrt(1.50 + powi(x3, 2))*v2 == 0)]
+#[output(place = tan(0.59*sin(x1))/2, power = p1*0.81 - 0.96*powi(cos(1.03*x1 + 0.46), 3), push = x2/(1 + powi(x2, 2))*dot(v3) + v3*ddot(x3), pull = 1.26*reaction(row2) - push, share = pull/(1.99 + powi(reaction(row2), 2)))]
 pub struct Random33 {
     #[nominal(0.79)]
     pub p1: f64,
@@ -770,8 +799,8 @@ pub struct Random33 {
 #[constraint(row1: powi(dot(x2), 2) - 0.20*powi(dot(x2), 2) - (2 - 0.20*tan(0.75*sin(x3))/2) == 0)]
 #[constraint(row2: 1.91*dot(x3) + 0.15*dot(x3)*dot(x2)*sin(0.88*x2) - 0.57*sin(1.15*x1 + 1.19)*cos(0.57*x3 + 0.79*x3 - 1.23) == 0)]
 #[constraint(row3: 1.35*dot(x1) - 0.29*sqrt(1.50 + powi(dot(x3), 2) + powi(dot(x3), 2)) - 0.32*atan2(x1, 2 + cos(x3))/2 == 0)]
-#[independent(s1 = dot(x1), dot(x3), s3 = dot(x2) - 0.28*1/sqrt(1.50 + powi(x2, 2))*dot(x1) - 0.18*sin(0.54*x3 + 0.86*x3)*cos(0.40*x3)*dot(x3))]
-#[independent(dot(x1), dot(x3), dot(x2))]
+#[independent(s1 = (1.50 + 0.11*cos(0.97*x3))*dot(x1) + 0.23*1/sqrt(1.50 + powi(x1, 2)), s2 = (1.50 + 0.12*0.30*sin(x3)/(1.50 + cos(x3)))*dot(x3) - 0.19*sin(1.13*x2 - 0.77)*cos(1.10*x3 - 0.36*x2)*dot(x1), dot(x2))]
+#[output(place = 1/sqrt(1.50 + powi(x1, 2)), power = 1.52*dot(x2)/(1 + powi(x3, 2)) + 1.70*dot(x1)/(1 + powi(x1, 2)) + 1.04*ln(1.60 + 0.42*cos(x3)) + 0.94*dot(x1)/(1 + powi(x2, 2)), push = sin(0.54*x2)*ddot(x2) + dot(x2)*ddot(x2), pull = (1.14 + 0.30*sin(1.15*x2 - 0.87*x2 - 1.00)*cos(0.96*x1))*reaction(row1) - push, share = pull/(1.84 + powi(reaction(row1), 2)))]
 pub struct Random34 {
     #[nominal(0.80)]
     pub p1: f64,
@@ -797,7 +826,8 @@ pub struct Random34 {
     p1*x1,
 )]
 #[constraint(row1: ddot(x3) - 0.27*atan2(x2, 2 + cos(x3))/2*dot(v2) + 0.22*exp(-powi(t, 2)/2)*dot(v1) - 0.46*v2*v2*cos(0.77*t - 0.85*x2) == 0)]
-#[independent(s1 = (1.50 - 0.29*wave(0.92*x2))*v1, v2, s3 = 1.08*v3 + 0.20*(if x1 <= -0.58 { cos(0.54*x2) } else { x3/(1 + powi(x3, 2)) })*v1)]
+#[independent(s1 = 1.79*v1 - 0.59*wave(0.92*x2), v2, s3 = 1.08*v3 + 0.20*(if x1 <= -0.58 { cos(0.54*x2) } else { x3/(1 + powi(x3, 2)) })*v1)]
+#[output(place = (if x2 <= -0.23 { wave(1.04*t + 0.75*x2) } else { exp(-powi(t, 2)/2) }), power = 1.09*powi(v1, 2) + v2*v3/1.14 + p1*v1*v3*sin(0.48*t)*cos(0.62*x3 - 0.89*t) + 1.37*v1, push = sin(0.83*x2 - 0.44*x3 + 0.65)*cos(0.71*x3 - 0.53*t + 1.33)*dot(v2) + v3*ddot(x3), pull = (1.25 + 0.13*0.89*sin(x3)/(1.50 + cos(x3)))*reaction(row1) - push, share = pull/(1.52 + powi(reaction(row1), 2)))]
 pub struct Random35 {
     #[nominal(1.15)]
     pub p1: f64,
@@ -825,6 +855,7 @@ pub struct Random35 {
 )]
 #[constraint(row1: 1.23*x1 + 0.12*sin(x1) + exp(0.18*x2)/2 - 0.41 == 0)]
 #[constraint(row2: 1.79*v3 + 0.29*sin(v3 + ln(1.60 + 0.78*cos(x2))*v2) + 0.35*(if x3 > 0.51 { ln(1.60 + 0.46*cos(x2)) } else { tan(0.34*sin(x1))/2 }) == 0)]
+#[output(place = sin(0.58*x3 - 0.37*x1)*cos(0.73*x2 - 0.51), power = 1.71*(if x1 <= 0.39 { cos(1.19*x3 - 0.50*x3 + 0.38) } else { x1/(1 + powi(x1, 2)) }), push = powi(cos(0.85*x2 + 0.65*x1), 3)*dot(v3) + v1*ddot(x1), pull = (1.18 + 0.23*wave(1.14*x1 - 0.44*x1))*reaction(row2) - push, share = pull/(1.43 + powi(reaction(row2), 2)))]
 pub struct Random36 {
     #[nominal(0.54)]
     pub p1: f64,
@@ -850,6 +881,7 @@ pub struct Random36 {
 )]
 #[constraint(row1: (1.50 - 0.23*powi(cos(1.15*x1), 3))*v2 == 0)]
 #[constraint(row2: (1.50 - 0.24*1/sqrt(1.50 + powi(t, 2)))*dot(v1) + 0.12*1/sqrt(1.50 + powi(t, 2))*dot(v2) - 0.71*v1 - 0.71*bump(0.89*t) == 0)]
+#[output(place = sin(p3*x1 + 0.33), power = p1*v1*v1*exp(-powi(t, 2)/2) - tau*0.56, push = powi(cos(1.20*t), 3)*dot(v1) + v1*ddot(x1), pull = 1.27*reaction(row2) - push, share = pull/(1.08 + powi(reaction(row2), 2)))]
 pub struct Random37 {
     #[nominal(0.78)]
     pub p1: f64,
@@ -873,6 +905,7 @@ pub struct Random37 {
 #[constraint(row2: 1.93*dot(x2) + 0.23*sin(dot(x2) + bump(1.07*x3)*dot(x1)) - 0.33*t/(1 + powi(t, 2)) == 0)]
 #[constraint(row3: ddot(x3) - 0.24*wave(0.83*x2 + 0.72)*ddot(x1) + 0.14*bump(1.00*x2)*ddot(x2) + 0.59*bump(1.19*t) == 0)]
 #[independent(dot(x3), dot(x2))]
+#[output(place = 0.89*sin(x3)/(1.50 + cos(t)), power = p3*dot(x2)*dot(x3)*sin(0.52*t)*cos(0.62*x1) + 1.20*1/sqrt(1.50 + powi(x3, 2)) + p2*t + 0.51*powi(dot(x3), 2), push = cos(0.70*x2)*ddot(x1) + dot(x3)*ddot(x3), pull = 1.00*reaction(row3) - push, share = pull/(1.67 + powi(reaction(row3), 2)))]
 pub struct Random38 {
     #[nominal(0.99)]
     pub p1: f64,
@@ -898,6 +931,7 @@ pub struct Random38 {
 #[constraint(again1: 0.77*(1.23*x1 + 0.28*x2 + 0.30*sin(0.86*t) + 0.63) == 0, redundant)]
 #[constraint(again2: 0.85*(1.23*x1 + 0.28*x2 + 0.30*sin(0.86*t) + 0.63) == 0, redundant)]
 #[independent(s1 = v2 - 0.20*atan2(x2, 2 + cos(x2))/2*v1 - 0.44*sin(1.08*x1))]
+#[output(place = 1/sqrt(1.50 + powi(t, 2)), power = v2*v2/1.32, push = sin(0.75*x2 + 0.55*t)*cos(0.65*x1 + 0.72*t)*dot(v1) + v1*ddot(x1), pull = (1.17 - 0.12*cos(0.75*x1 - 0.31*x1))*reaction(again2) - push, share = pull/(1.29 + powi(reaction(again2), 2)))]
 pub struct Random39 {
     #[nominal(1.14)]
     pub p1: f64,
@@ -918,6 +952,7 @@ pub struct Random39 {
 #[constraint(row1: (1.50 - 0.13*x1/(1 + powi(x1, 2)))*dot(x1) - 0.40*powi(cos(1.05*x3), 3) == 0)]
 #[constraint(row2: (1.50 + 0.18*sin(0.58*x2 - 0.26*x2)*cos(0.66*x3))*dot(x3) + 0.14*cos(0.70*x1 + 0.28*x1)*dot(x1) == 0)]
 #[constraint(row3: (1.50 + 0.26*tan(0.87*sin(x3))/2)*dot(x2) - 0.23*sin(0.94*x2 + 0.30*x2)*dot(x1) - 0.19*0.66*sin(x3)/(1.50 + cos(x1))*dot(x3) == 0)]
+#[output(place = sin(1.07*x3 - 0.77), power = 1.10*dot(x2) + 1.82*powi(dot(x3), 2), push = cos(0.76*x3 + 1.33)*ddot(x3) + dot(x3)*ddot(x3), pull = (1.12 + 0.21*(if x3 <= -0.26 { sin(0.96*x1) } else { ln(1.60 + 0.94*cos(x2)) }))*reaction(row3) - push, share = pull/(1.85 + powi(reaction(row3), 2)))]
 pub struct Random40 {
     #[nominal(0.87)]
     pub p1: f64,
@@ -941,6 +976,7 @@ pub struct Random40 {
 )]
 #[configuration(x1 = 1.27*(if x2 >= -0.04 { sin(0.48*x2 + 0.87*x2 + 1.49)*cos(0.49*x2 - 0.36*x2 + 1.42) } else { cos(0.72*x2 + 0.41*x2) }), x3 = 1.35*powi(cos(0.67*x2 + 0.42), 3))]
 #[constraint(bound: 1.82*dot(v2) - 0.28*bump(0.92*x2 + 0.24*x2)*dot(v1) - 0.12*tan(0.76*sin(x3))/2*dot(v3) + 0.53*0.60*sin(x3)/(1.50 + cos(x2)) == 0)]
+#[output(place = (if x2 > -0.20 { powi(cos(1.06*x1 + 0.23*x2), 3) } else { powi(cos(0.95*x3), 3) }), power = p2*v1*v2*bump(0.96*x1 - 0.48*x3) + 0.32*powi(v1, 2) + v2*sqrt(2 + powi(v2, 2)), push = x1/(1 + powi(x1, 2))*dot(v2) + v3*ddot(x3), pull = 1.02*reaction(bound) - push, share = pull/(1.12 + powi(reaction(bound), 2)))]
 pub struct Random41 {
     #[nominal(1.16)]
     pub p1: f64,
@@ -1094,6 +1130,7 @@ pub struct Random46 {
 #[constraint(row1: 1.71*x2 + 0.26*sin(x2) + exp(0.24*x3)/2 + 0.30*sin(0.91*t) - 0.27 == 0)]
 #[constraint(row2: dot(x1) - 0.35*sin(p1*x3 - 0.30)*dot(x3) - 0.26*tan(0.67*sin(x2))/2*dot(x2) - 0.24*sin(p2*x2 - 0.48) == 0)]
 #[independent(s1 = dot(x3) + 0.34*ln(1.60 + 0.34*cos(x1))*dot(x2))]
+#[output(place = wave(0.87*t + 0.62*x2), power = p2*0.72 + dot(x3)*sqrt(2 + powi(dot(x3), 2)) + p3*dot(x2)*dot(x1)*sin(1.11*x2 + 0.31*t)*cos(0.58*x3) + 1.72*powi(dot(x1), 2), push = cos(1.08*x3 + 0.56*x1)*ddot(x2) + dot(x2)*ddot(x2), pull = (1.00 - 0.35*tan(0.33*sin(x1))/2)*reaction(row1) - push, share = pull/(1.73 + powi(reaction(row1), 2)))]
 pub struct Random47 {
     #[nominal(0.95)]
     pub p1: f64,
@@ -1134,6 +1171,7 @@ pub struct Random47 {
 #[constraint(height_rate: 1.48*dot(x1) + 0.22*cos(x1)*dot(x1) + 0.24*(dot(x4)*x2 + x4*dot(x2)) + 0.23*cos(x2)*dot(x2) == 0)]
 #[constraint(further: (1.50 - 0.29*(if x2 <= -0.35 { exp(-powi(x4, 2)/2) } else { wave(0.89*x3 - 0.86*x2) }))*v3 + 0.17*sin(0.88*x4 + 1.16)*cos(0.73*x3 + 0.80*x4 + 1.00)*v4 - 0.27*bump(1.03*x2)*v2 + 0.12*bump(1.19*x2 + 0.21*x2)*v1 + 0.46*1/sqrt(1.50 + powi(x3, 2)) == 0)]
 #[independent(v2, v4)]
+#[output(place = (if x3 <= 0.22 { sin(p1*x2 + 0.42) } else { tan(0.81*sin(x1))/2 }), power = p1*v1*v2*sin(0.66*x1 + 0.71*x1)*cos(1.13*x3 + 0.28*x1 - 0.24) - v3*v3/(1.03 + 0.22*0.74*sin(x1)/(1.50 + cos(x4))) - v4*v3/(1.39 - 0.24*sin(1.03*x1)), push = wave(0.96*x1 + 0.83*x4 - 0.41)*dot(v1) + v1*ddot(x1))]
 pub struct Random48 {
     #[nominal(1.21)]
     pub p1: f64,
@@ -1162,6 +1200,7 @@ pub struct Random49 {
 
 #[derive(ConstrainedSystem, Clone, Debug)]
 #[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
+#[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2, x3, x4)]
 #[speeds(v1, v2, v3, v4)]
 #[kinematics(
@@ -1179,6 +1218,7 @@ pub struct Random49 {
 )]
 #[potential_energy((if x4 < 0.21 { exp(-powi(x2, 2)/2) } else { powi(cos(0.88*x1 + 0.64*x1), 3) }))]
 #[configuration(x2 = 1.38*wave(0.85*x3))]
+#[output(place = (if x2 >= 0.14 { x1/(1 + powi(x1, 2)) } else { bump(0.98*x3 + 0.87*x2 + 1.40) }), power = p2*v1*v2*(if x1 >= 0.25 { powi(cos(0.74*x2 + 0.72*x4), 3) } else { bump(1.17*x3) }), push = exp(-powi(x1, 2)/2)*dot(v4) + v1*ddot(x1))]
 pub struct Random50 {
     #[nominal(1.15)]
     pub p1: f64,
@@ -1187,6 +1227,7 @@ pub struct Random50 {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
 #[coordinates(x1, x2, x3)]
 #[inputs(tau)]
 #[kinetic_energy(powi((1.11)*dot(x1) + (0.10*cos(0.98*x1))*dot(x2) + (0.40*(if x3 <= -0.06 { x1/(1 + powi(x1, 2)) } else { atan2(x2, 2 + cos(x3))/2 }))*dot(x3), 2)/2 + powi(((1.35 + 0.21*x2/(1 + powi(x2, 2))))*dot(x2) + (0.18*tan(0.80*sin(x2))/2)*dot(x3), 2)/2 + powi(((1.02 + 0.27*ln(1.60 + 0.45*cos(x2))))*dot(x3), 2)/2)]
@@ -1198,12 +1239,14 @@ pub struct Random50 {
 #[configuration(of(q1), x3 = 1.25*q1, x2 = tan(0.72*sin(q1))/2, x1 = tan(0.56*sin(q1))/2)]
 #[constraint(held_x2: x2 - (tan(0.72*sin((x3/1.25)))/2) == 0)]
 #[constraint(held_x1: x1 - (tan(0.56*sin((x3/1.25)))/2) == 0)]
+#[output(place = wave(0.99*x2 - 0.32*x2 - 1.46), power = tau*1.26, push = sin(1.02*x1)*ddot(x1) + dot(x1)*ddot(x1), pull = (1.18 - 0.24*exp(-powi(x3, 2)/2))*reaction(held_x2) - push, share = pull/(1.62 + powi(reaction(held_x2), 2)))]
 pub struct Random51 {
     #[nominal(0.66)]
     pub p1: f64,
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
 #[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2, x3, x4)]
 #[inertia(diag(1.15, 1.12, (1.01 - 0.13*1/sqrt(1.50 + powi(x3, 2))), (1.40 + 0.15*sin(0.68*t))))]
@@ -1215,12 +1258,14 @@ pub struct Random51 {
 )]
 #[configuration(x3 = 0.78*1/sqrt(1.50 + powi(x2, 2)), x4 = 1.05*bump(0.73*x1))]
 #[constraint(rolling: 1.00*dot(x1) + 0.16*tan(0.86*sin(x1))/2*dot(x2) + 0.28*1/sqrt(1.50 + powi(x1, 2)) == 0)]
+#[output(place = powi(cos(0.70*x3 - 0.70*x2), 3), power = dot(x2)*dot(x3)/1.32 - dot(x1)*sqrt(2 + powi(dot(x1), 2)) - 0.72*dot(x1), push = x2/(1 + powi(x2, 2))*ddot(x3) + dot(x3)*ddot(x3), pull = (1.36 + 0.29*wave(0.96*t - 0.73))*reaction(rolling) - push, share = pull/(1.89 + powi(reaction(rolling), 2)))]
 pub struct Random52 {
     #[nominal(0.68)]
     pub p1: f64,
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
 #[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2, x3, x4)]
 #[inertia(diag(1.09, (1.05 + 0.17*sin(1.10*x4)*cos(0.72*x2)), (1.05 + 0.19*sin(0.62*x3 - 0.43*x2)), (1.38 - 0.22*sin(0.99*t + 0.81*x1))))]
@@ -1237,6 +1282,7 @@ pub struct Random52 {
     w2 = [(1.13 - 0.27*(if t < -0.16 { sin(p1*x4 + 0.57) } else { bump(0.79*x3 - 0.42) })), 0, -(1.13 - 0.27*(if t < -0.16 { sin(p1*x4 + 0.57) } else { bump(0.79*x3 - 0.42) }))*(0.63*bump(0.76*x2 + 0.18)), 0],
     w3 = [0, 1.24, -1.24*(0.60*atan2(x2, 2 + cos(x2))/2), 0],
 )]
+#[output(place = wave(0.47*x2), power = 1.27*dot(x4)/(1 + powi(x2, 2)) - 1.36*dot(x1) - p1*x1, push = ln(1.60 + 0.57*cos(x3))*ddot(x4) + dot(x2)*ddot(x2), pull = (1.24 + 0.30*cos(0.84*t + 0.89*x3 - 0.47))*reaction(row1) - push, share = pull/(1.39 + powi(reaction(row1), 2)))]
 pub struct Random53 {
     #[nominal(0.57)]
     pub p1: f64,
@@ -1258,6 +1304,7 @@ pub struct Random53 {
 #[constraint(row1: 1.44*x3 + 0.14*x4 + 0.46 == 0)]
 #[constraint(row2: 1.63*x1 + 0.27*sin(x1) + exp(0.36*x4)/2 + 0.31*sin(x3) + 0.37 == 0)]
 #[constraint(row3: 1.05*dot(x2) + 0.21*sin(p1*x1 + 0.98)*dot(x4) - 0.32*1.00*sin(x4)/(1.50 + cos(x2))*dot(x3) - 0.28*tan(0.48*sin(x1))/2*dot(x1) == 0)]
+#[output(place = cos(0.83*x3 - 0.56*x1), power = p1*dot(x4)*dot(x3)*cos(1.12*x1 - 0.68), push = sin(0.55*x4)*cos(1.05*x3 - 0.11)*ddot(x1) + dot(x2)*ddot(x2), pull = (1.01 + 0.30*x3/(1 + powi(x3, 2)))*reaction(row3) - push, share = pull/(1.92 + powi(reaction(row3), 2)))]
 pub struct Random54 {
     #[nominal(1.03)]
     pub p1: f64,
@@ -1322,6 +1369,7 @@ pub struct Random56 {
 #[potential_energy(0.87*sin(x1)/(1.50 + cos(x3)))]
 #[constraint(row1: ddot(x1) + 0.20*atan2(x2, 2 + cos(x1))/2*ddot(x3) - 0.28*bump(0.67*x3)*ddot(x2) - 0.79*dot(x3)*dot(x3)*bump(1.14*x1) == 0)]
 #[independent(dot(x2), dot(x3), dot(x1))]
+#[output(place = ln(1.60 + 0.46*cos(x1)), power = dot(x1)*sqrt(2 + powi(dot(x2), 2)), push = 0.96*sin(x2)/(1.50 + cos(x2))*ddot(x1) + dot(x2)*ddot(x2), pull = 1.34*reaction(row1) - push, share = pull/(1.03 + powi(reaction(row1), 2)))]
 pub struct Random57 {
     #[nominal(0.95)]
     pub p1: f64,
@@ -1404,6 +1452,7 @@ pub struct Random59 {
 #[constraint(row4: dot(v4) + 0.10*1/sqrt(1.50 + powi(x3, 2))*dot(v3) - 0.16*(if x2 <= -0.23 { ln(1.60 + 0.37*cos(x1)) } else { bump(1.05*x2 - 0.65*x4) })*dot(v1) - 0.64*v4*v1*exp(-powi(x3, 2)/2) == 0)]
 #[independent(v4, v2)]
 #[independent(s1 = 1.80*v4 + 0.28*wave(0.56*x2)*v3, s2 = v2 - 0.34*(if x2 <= 0.54 { wave(1.00*x4 + 0.42*x4) } else { 1/sqrt(1.50 + powi(x2, 2)) })*v4)]
+#[output(place = sin(1.18*x2), power = 1.89*v3 - v1*sqrt(2 + powi(v2, 2)) - 0.78*powi(v3, 2), push = 1/sqrt(1.50 + powi(x2, 2))*dot(v4) + v3*ddot(x3), pull = (1.03 + 0.29*ln(1.60 + 0.71*cos(x4)))*reaction(row4) - push, share = pull/(1.79 + powi(reaction(row4), 2)))]
 pub struct Random60 {
     #[nominal(0.62)]
     pub p1: f64,
@@ -1463,6 +1512,7 @@ pub struct Random61 {
 )]
 #[constraint(row1: 1.71*x4 + 0.28*sin(x4) + 0.26*x1*x1 + 0.26*sin(x2) + 0.22*powi(x3, 2)/2 - 0.15 == 0)]
 #[independent(s1 = 1.81*v3 + 0.27*sin(0.88*x3 + 1.15)*v4, s2 = (1.50 + 0.11*ln(1.60 + 0.30*cos(x2)))*v2 + 0.31*tan(0.64*sin(x3))/2*v3, v1)]
+#[output(place = ln(1.60 + 0.90*cos(x3)), power = 0.96*powi(v1, 2) + v1*sqrt(2 + powi(v3, 2)) + p2*exp(0.20*x1), push = sin(0.94*x4)*dot(v2) + v3*ddot(x3), pull = 1.00*reaction(row1) - push, share = pull/(1.56 + powi(reaction(row1), 2)))]
 pub struct Random62 {
     #[nominal(0.80)]
     pub p1: f64,
@@ -1487,6 +1537,7 @@ pub struct Random62 {
 #[configuration(x1 = 0.52*sin(1.18*x2 - 0.21*x2 + 0.70))]
 #[constraint(held_x1: x1 - (0.52*sin(1.18*x2 - 0.21*x2 + 0.70)) == 0)]
 #[constraint(bound: 1.53*dot(x2) - 0.17*sqrt(1.50 + powi(dot(x3), 2) + powi(dot(x1), 2)) + 0.20*x1/(1 + powi(x1, 2)) == 0)]
+#[output(place = atan2(x1, 2 + cos(x3))/2, power = 0.81*1/sqrt(1.50 + powi(x1, 2)) + 1.69*powi(dot(x3), 2) + dot(x2)*sqrt(2 + powi(dot(x2), 2)), push = 0.34*sin(x1)/(1.50 + cos(x2))*ddot(x1) + dot(x1)*ddot(x1), pull = (1.14 + 0.25*atan2(x1, 2 + cos(x1))/2)*reaction(bound) - push, share = pull/(1.82 + powi(reaction(bound), 2)))]
 pub struct Random63 {
     #[nominal(1.20)]
     pub p1: f64,
@@ -1510,6 +1561,7 @@ pub struct Random63 {
 #[constraint(row1: (1.57 + 0.20*sin(1.10*x2 - 0.66*x3))*dot(x1) + 0.83*dot(x2) - 0.22*sin(0.75*x2 - 0.70)*cos(1.05*x3)*dot(x3) + 0.21*ln(1.60 + 0.43*cos(x2)) == 0)]
 #[independent(dot(x2), dot(x3))]
 #[independent(dot(x1), dot(x3))]
+#[output(place = 0.93*sin(x3)/(1.50 + cos(x1)), power = p2*1.03 + dot(x3)*dot(x2)/(1.07 - 0.22*tan(0.93*sin(x2))/2) + 0.63*atan2(x1, 2 + cos(x2))/2, push = 1/sqrt(1.50 + powi(x2, 2))*ddot(x1) + dot(x2)*ddot(x2), pull = (1.18 - 0.33*powi(cos(0.94*x2), 3))*reaction(row1) - push, share = pull/(1.46 + powi(reaction(row1), 2)))]
 pub struct Random64 {
     #[nominal(0.71)]
     pub p1: f64,
@@ -1611,6 +1663,7 @@ pub struct Random66 {
 #[constraint(row1: (1.50 + 0.30*exp(-powi(x5, 2)/2))*v2 - 0.20*sin(p1*x1 - 0.71)*v5 - 0.24*tan(0.53*sin(x4))/2*v1 + 0.58*0.33*sin(x2)/(1.50 + cos(x1)) == 0)]
 #[constraint(row2: v4 - 0.17*cos(0.94*x1 + 0.88*x4)*v5 - 0.21*exp(-powi(x1, 2)/2)*v1 + 0.31*cos(0.94*x2)*v2 - 0.22*wave(0.86*x2) == 0)]
 #[constraint(row3: (1.50 - 0.24*sin(0.85*x4 + 0.54*x2))*v3 - 0.25*cos(0.44*x5 + 0.76*x1 - 0.47)*v5 + 0.28*powi(cos(1.07*x1), 3)*v1 - 0.11*(if x1 >= 0.47 { sin(0.52*x2) } else { atan2(x5, 2 + cos(x1))/2 })*v2 == 0)]
+#[output(place = cos(0.98*x1 - 0.87*x5), power = p1*x1 - p1*v1*v4*exp(-powi(x4, 2)/2) - 0.62*v5 - 1.86*v3/(1 + powi(x1, 2)), push = sin(p1*x4 - 0.65)*dot(v5) + v4*ddot(x4), pull = 1.01*reaction(row2) - push, share = pull/(1.43 + powi(reaction(row2), 2)))]
 pub struct Random67 {
     #[nominal(0.50)]
     pub p1: f64,
@@ -1748,6 +1801,7 @@ pub struct Random71 {
     0,
 )]
 #[configuration(x1 = 1.29*(if x3 <= 0.06 { 0.74*sin(x5)/(1.50 + cos(x3)) } else { ln(1.60 + 0.69*cos(x3)) }), x4 = 0.85*sin(p2*x2 + 0.35))]
+#[output(place = exp(-powi(x1, 2)/2), power = p3*x4 + p2*x4 + p1*exp(0.20*x2), push = (if x5 < 0.24 { bump(0.96*x3 - 0.80*x1) } else { bump(0.62*x1 + 0.68*x4) })*dot(v3) + v5*ddot(x5))]
 pub struct Random72 {
     #[nominal(0.68)]
     pub p1: f64,
@@ -1781,6 +1835,7 @@ pub struct Random72 {
 #[constraint(held_x2: x2 - (sin(1.16*(x1/1.25))*cos(0.70*(x1/1.25) - 0.40*(x1/1.25) - 0.69)) == 0)]
 #[constraint(held_x4: x4 - (wave(0.46*(x1/1.25) + 0.51*(x1/1.25))) == 0)]
 #[constraint(held_x3: x3 - (cos(0.92*(x1/1.25) + 0.46)) == 0)]
+#[output(place = (if x1 > 0.10 { atan2(x4, 2 + cos(x2))/2 } else { tan(0.61*sin(x2))/2 }), power = 1.43*powi(v3, 2) - v3*sqrt(2 + powi(v2, 2)) - 1.92*sin(p1*x4 + 0.30), push = 0.73*sin(x2)/(1.50 + cos(x1))*dot(v1) + v1*ddot(x1), pull = (1.23 - 0.31*1/sqrt(1.50 + powi(x4, 2)))*reaction(held_x4) - push, share = pull/(1.85 + powi(reaction(held_x4), 2)))]
 pub struct Random73 {
     #[nominal(1.38)]
     pub p1: f64,
@@ -1820,6 +1875,7 @@ pub struct Random73 {
 #[configuration(x2 = 1.13*atan2(x5, 2 + cos(x1))/2)]
 #[constraint(held_x2: x2 - (1.13*atan2(x5, 2 + cos(x1))/2) == 0)]
 #[constraint(rolling: (1.50 + 0.24*exp(-powi(x4, 2)/2))*dot(x1) - 0.28*cos(1.15*x1 + 0.44)*dot(x5) + 0.25*ln(1.60 + 0.38*cos(x5))*dot(x4) + 0.23*atan2(x3, 2 + cos(x1))/2*dot(x3) == 0)]
+#[output(place = sin(p1*x1 + 0.65), power = v4*sqrt(2 + powi(v1, 2)) + p2*x5 + 1.63*powi(v1, 2) + p2*exp(0.20*x5), push = sin(1.04*x5)*dot(v2) + v5*ddot(x5), pull = (1.08 - 0.13*powi(cos(0.83*x2 - 0.60*x5 - 1.06), 3))*reaction(rolling) - push, share = pull/(1.76 + powi(reaction(rolling), 2)))]
 pub struct Random74 {
     #[nominal(0.71)]
     pub p1: f64,
@@ -1962,6 +2018,7 @@ pub struct Random78 {
 #[constraint(row1: ddot(x2) - 0.12*atan2(x2, 2 + cos(x5))/2*dot(v1) - 0.19*sin(0.60*x1)*dot(v5) + 0.58*v2*v2*sin(1.20*x3) == 0)]
 #[constraint(row2: (1.50 - 0.23*tan(0.63*sin(x2))/2)*dot(v3) - 0.24*powi(cos(0.44*x3 - 0.85*x3), 3)*dot(v1) + 0.28*cos(0.98*x2)*dot(v5) + 0.41*v2 + 0.41*tan(0.96*sin(x3))/2 == 0)]
 #[constraint(row3: dot(v4) - 0.15*cos(0.96*x3 + 0.42*x2)*dot(v1) - 0.25*sin(1.17*x2 + 0.53*x5 - 1.05)*dot(v5) + 0.53*wave(0.50*x1) == 0)]
+#[output(place = (if x4 <= 0.43 { 0.88*sin(x5)/(1.50 + cos(x4)) } else { 1/sqrt(1.50 + powi(x5, 2)) }), power = 1.18*powi(v1, 2), push = powi(cos(0.82*x1), 3)*dot(v2) + v4*ddot(x4), pull = 1.18*reaction(row2) - push, share = pull/(1.78 + powi(reaction(row2), 2)))]
 pub struct Random79 {
     #[nominal(0.72)]
     pub p1: f64,
@@ -2012,6 +2069,7 @@ pub struct Random80 {
 )]
 #[constraint(row1: 1.74*x2 + 0.22*x1 + 0.32*sin(x3) - 0.21 == 0)]
 #[constraint(row2: dot(v4) + 0.21*1/sqrt(1.50 + powi(x3, 2))*dot(v1) - 0.11*wave(1.14*x3 - 0.76*x2)*dot(v3) + 0.65*v3 + 0.65*0.56*sin(x4)/(1.50 + cos(x1)) == 0)]
+#[output(place = sin(0.82*x4), power = v3*sqrt(2 + powi(v3, 2)) - 1.68*v1 - p3*x4, push = tan(0.95*sin(x2))/2*dot(v2) + v2*ddot(x2), pull = (1.05 + 0.31*atan2(x4, 2 + cos(x3))/2)*reaction(row2) - push, share = pull/(1.12 + powi(reaction(row2), 2)))]
 pub struct Random81 {
     #[nominal(1.48)]
     pub p1: f64,
@@ -2088,6 +2146,7 @@ pub struct Random82 {
 #[constraint(row2: 1.80*x3 + exp(0.18*x4)/2 + 0.23*powi(x2, 2)/2 + 0.13*sin(x1) - 0.70 == 0)]
 #[constraint(again1: 1.43*(1.89*x1 + 0.20*sin(x1) + 0.34*x4*x2 + 0.33*powi(x2, 2)/2 + 0.59) == 0, redundant)]
 #[constraint(again2: 0.70*(1.80*x3 + exp(0.18*x4)/2 + 0.23*powi(x2, 2)/2 + 0.13*sin(x1) - 0.70) + 0.35*(1.89*x1 + 0.20*sin(x1) + 0.34*x4*x2 + 0.33*powi(x2, 2)/2 + 0.59) == 0, redundant)]
+#[output(place = wave(0.50*x4 - 0.55*x3), power = p1*exp(0.20*x3) - v2*v1/(1.23 - 0.26*sin(1.07*x2 - 0.83*x3)) - p1*exp(0.20*x2), push = sin(0.76*x1)*dot(v3) + v1*ddot(x1), pull = (1.21 - 0.27*sin(0.90*x2))*reaction(row1) - push, share = pull/(1.99 + powi(reaction(row1), 2)))]
 pub struct Random83 {
     #[nominal(0.65)]
     pub p1: f64,
@@ -2235,6 +2294,7 @@ pub struct Random87 {
     0,
     1.81*v3/(1 + powi(x1, 2)) - v1*v6/(1.28 + 0.20*sin(0.45*x5 - 0.55*x3)*cos(0.57*x1 - 0.68*x5 - 1.49)),
 )]
+#[output(place = sin(p2*x1 + 0.46), power = p2*v4*v3*cos(0.99*x3 + 0.21*x2 - 0.93), push = cos(1.00*x6 + 0.81*x5)*dot(v1) + v4*ddot(x4))]
 pub struct Random88 {
     #[nominal(0.54)]
     pub p1: f64,
@@ -2315,6 +2375,7 @@ pub struct Random89 {
 )]
 #[potential_energy(bump(0.74*x4 + 0.56*x2))]
 #[constraint(row1: 1.66*x4 + 0.19*sin(x4) + 0.16*powi(x2, 2)/2 + 0.36*x3*x2 + 0.26*x1*x2 - 0.46 == 0)]
+#[output(place = (if x1 <= 0.13 { sin(0.80*x1 - 0.40*x6)*cos(0.96*x4) } else { wave(0.51*x3) }), power = p2*v3*v3*(if x6 < 0.29 { cos(1.13*x5 + 0.51*x3) } else { sin(0.88*x4 + 0.87*x1)*cos(0.77*x2) }) + 0.98*(if x5 >= -0.06 { cos(0.52*x1 - 0.65*x4 - 1.11) } else { atan2(x1, 2 + cos(x5))/2 }) + p1*exp(0.20*x1) + 0.69*v3, push = sin(0.71*x4 + 0.87*x5)*dot(v1) + v4*ddot(x4), pull = (1.24 - 0.24*1/sqrt(1.50 + powi(x6, 2)))*reaction(row1) - push, share = pull/(1.64 + powi(reaction(row1), 2)))]
 pub struct Random90 {
     #[nominal(0.58)]
     pub p1: f64,
@@ -2381,6 +2442,7 @@ pub struct Random91 {
 #[constraint(height: 1.45*x5 + 0.25*sin(x5) + 0.39*x6 + 0.38 == 0)]
 #[constraint(height_rate: 1.45*dot(x5) + 0.25*cos(x5)*dot(x5) + 0.39*dot(x6) == 0)]
 #[constraint(further: v2 + 0.24*ln(1.60 + 0.93*cos(x6))*v6 == 0)]
+#[output(place = 1/sqrt(1.50 + powi(x4, 2)), power = v2*sqrt(2 + powi(v3, 2)) + v2*v3/(1.31 - 0.13*1/sqrt(1.50 + powi(x5, 2))), push = ln(1.60 + 0.99*cos(x6))*dot(v6) + v6*ddot(x6))]
 pub struct Random92 {
     #[nominal(1.19)]
     pub p1: f64,
@@ -2490,6 +2552,7 @@ pub struct Random94 {
 #[constraint(held_x4: x4 - ((if (x5/1.25) >= 0.04 { bump(1.06*(x5/1.25)) } else { cos(1.04*(x5/1.25)) })) == 0)]
 #[constraint(held_x3: x3 - (sin(0.57*(x5/1.25) + 0.83*(x5/1.25))*cos(0.62*(x5/1.25))) == 0)]
 #[constraint(held_x2: x2 - (cos(1.01*(x5/1.25) - 0.23*(x5/1.25))) == 0)]
+#[output(place = sin(p1*x5 + 0.92), power = p1*exp(0.20*x4) + v5*sqrt(2 + powi(v1, 2)) + p2*v5*v4*sin(0.90*x5)*cos(0.63*x5 - 0.62), push = wave(0.84*x1 - 0.60*x2)*dot(v2) + v1*ddot(x1), pull = 1.36*reaction(held_x1) - push, share = pull/(1.30 + powi(reaction(held_x1), 2)))]
 pub struct Random95 {
     #[nominal(1.09)]
     pub p1: f64,
@@ -2652,6 +2715,7 @@ pub struct Random99 {
 #[constraint(row3: 1.90*v5 + 0.16*sqrt(1.50 + powi(v3, 2) + powi(v2, 2)) + 0.45*1/sqrt(1.50 + powi(x4, 2)) == 0)]
 #[constraint(row4: 1.70*v4 + 0.26*sqrt(1.50 + powi(v2, 2) + powi(v1, 2)) - 0.36*0.35*sin(x4)/(1.50 + cos(x4)) == 0)]
 #[independent(v3, v4, v5, v1)]
+#[output(place = sin(0.44*x4), power = 0.59*powi(v3, 2) - 1.34*v1 - 0.98*x4/(1 + powi(x4, 2)), push = sin(0.72*x3 + 1.09)*dot(v4) + v1*ddot(x1), pull = (1.37 - 0.23*(if x4 >= -0.32 { ln(1.60 + 0.77*cos(x1)) } else { powi(cos(0.90*x4 + 0.88*x4), 3) }))*reaction(row3) - push, share = pull/(1.72 + powi(reaction(row3), 2)))]
 pub struct Random100 {
     #[nominal(1.41)]
     pub p1: f64,
@@ -2697,13 +2761,14 @@ pub struct Random100 {
 #[constraint(row4: (1.50 + 0.10*t/(1 + powi(t, 2)))*dot(v2) + 0.23*sin(1.04*x2 - 0.29*x1 - 0.78)*dot(v4) - 0.27*sin(0.58*x2 + 0.57)*dot(v3) + 0.54*v3 + 0.54*wave(0.46*x2) == 0)]
 #[constraint(row5: ddot(x5) - 0.23*(if t < -0.16 { 1/sqrt(1.50 + powi(x1, 2)) } else { ln(1.60 + 0.65*cos(x1)) })*dot(v4) - 0.18*tan(0.62*sin(x4))/2*dot(v3) - 0.32*v6 - 0.32*cos(0.64*x6 + 0.32*x5 + 0.48) == 0)]
 #[constraint(row6: ddot(x1) + 0.19*atan2(x1, 2 + cos(x4))/2*dot(v4) + 0.20*sin(p1*x4 + 0.32)*dot(v3) + 0.69*v2*v3*exp(-powi(x4, 2)/2) == 0)]
-#[independent(s1 = 1.84*v1, s2 = (1.50 + 0.29*cos(1.19*x1))*v5 + 0.29*ln(1.60 + 0.72*cos(x4))*v1, s3 = 1.72*v2 - 0.33*tan(0.33*sin(x3))/2*v1 - 0.31*(if x4 > -0.16 { 1/sqrt(1.50 + powi(x4, 2)) } else { sin(p1*x2 + 0.52) })*v5, s4 = 1.77*v6 - 0.34*atan2(x3, 2 + cos(x6))/2*v1, v3, v4)]
+#[independent(s1 = 1.01*v1 + 0.24*sin(0.80*x6 + 0.78*t - 0.85), v5, s3 = 1.61*v2 + 0.26*sin(p1*t + 0.74)*v1 + 0.11*sin(0.69*x6 - 0.81*x4 + 1.42)*v5, s4 = 1.66*v6 + 0.20*powi(cos(1.04*x6 + 0.43*x4), 3)*v1, s5 = v3 - 0.31*(if x5 < 0.24 { ln(1.60 + 0.98*cos(x6)) } else { wave(1.06*t - 0.31*x6 + 1.10) })*v1 - 0.34*tan(0.71*sin(x5))/2*v5 + 0.24*(if t > -0.56 { 1/sqrt(1.50 + powi(x3, 2)) } else { 0.52*sin(x3)/(1.50 + cos(x6)) }), s6 = v4 + 0.12*(if x2 > -0.31 { wave(0.46*x3 + 0.54*x4) } else { 1/sqrt(1.50 + powi(x5, 2)) })*v1 - 0.27*sin(p1*x2 - 0.98)*v5)]
 pub struct Random101 {
     #[nominal(0.64)]
     pub p1: f64,
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
 #[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2, x3, x4, x5)]
 #[speeds(v1, v2, v3, v4, v5)]
@@ -2726,6 +2791,7 @@ pub struct Random101 {
 #[constraint(row2: 1.97*x4 + 0.19*sin(x4) + 0.37*x2 + 0.34*x3*x2 - 0.61 == 0)]
 #[constraint(row3: 1.83*x5 + 0.29*powi(x2, 2)/2 + 0.26*sin(x3) + exp(0.34*x4)/2 - 0.72 == 0)]
 #[constraint(row4: 1.17*v1 + 0.11*sqrt(1.50 + powi(v3, 2) + powi(v2, 2)) - 0.43*exp(-powi(x3, 2)/2) == 0)]
+#[output(place = ln(1.60 + 0.32*cos(x3)), power = p1*x4 - v1*sqrt(2 + powi(v2, 2)) - 0.92*powi(v5, 2), push = (if x4 < 0.44 { wave(0.84*x3 - 0.45) } else { tan(0.98*sin(x2))/2 })*dot(v5) + v3*ddot(x3), pull = 1.16*reaction(row4) - push, share = pull/(1.85 + powi(reaction(row4), 2)))]
 pub struct Random102 {
     #[nominal(0.67)]
     pub p1: f64,
@@ -2796,6 +2862,7 @@ pub struct Random103 {
 #[constraint(row2: v4 - 0.10*(if x2 <= -0.15 { 1/sqrt(1.50 + powi(x3, 2)) } else { sin(0.95*x2 + 0.50) })*v2 == 0)]
 #[constraint(row3: 1.85*v5 + 0.18*sqrt(1.50 + powi(v4, 2) + powi(v2, 2)) - 0.54*(if x3 < -0.39 { sin(p1*x5 + 0.24) } else { exp(-powi(x1, 2)/2) }) == 0)]
 #[constraint(row4: 1.90*dot(v1) - 0.11*sin(0.99*x4)*dot(v2) + 0.12*sin(p1*x5 - 0.65)*dot(v3) - 0.49*v1 - 0.49*exp(-powi(x3, 2)/2) == 0)]
+#[output(place = 0.42*sin(x1)/(1.50 + cos(x3)), power = p1*exp(0.20*x3) - 0.66*v1/(1 + powi(x1, 2)) - v2*sqrt(2 + powi(v4, 2)) - p1*0.83, push = sin(p1*x1 + 0.36)*dot(v4) + v2*ddot(x2), pull = (1.02 - 0.25*ln(1.60 + 0.47*cos(x5)))*reaction(row4) - push, share = pull/(1.64 + powi(reaction(row4), 2)))]
 pub struct Random104 {
     #[nominal(0.63)]
     pub p1: f64,
@@ -2869,6 +2936,8 @@ pub struct Random106 {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
+#[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2, x3, x4, x5, x6)]
 #[speeds(v1, v2, v3, v4, v5, v6)]
 #[kinematics(
@@ -2898,6 +2967,7 @@ pub struct Random106 {
 #[constraint(held_x1: x1 - (0.94*powi(cos(0.44*x3 - 0.75), 3)) == 0)]
 #[constraint(held_x4: x4 - (1.10*1/sqrt(1.50 + powi(x2, 2))) == 0)]
 #[constraint(bound: 1.60*v2 - 0.21*v2*v3*sin(0.45*x4 - 0.38)*cos(0.90*x5) - 0.27*cos(1.20*x6 - 0.35*x6 + 0.46) == 0)]
+#[output(place = bump(0.77*x4 - 0.65*x1), power = 1.58*powi(v6, 2) - v4*v5/(1.39 - 0.17*1/sqrt(1.50 + powi(x2, 2))) - 0.82*sin(p1*x2 - 0.76) - 0.76*v1/(1 + powi(x3, 2)), push = (if x5 <= 0.28 { atan2(x4, 2 + cos(x3))/2 } else { wave(0.62*x4 + 0.74*x1 - 0.12) })*dot(v1) + v2*ddot(x2), pull = 1.05*reaction(held_x4) - push, share = pull/(1.71 + powi(reaction(held_x4), 2)))]
 pub struct Random107 {
     #[nominal(1.04)]
     pub p1: f64,
@@ -2929,6 +2999,7 @@ pub struct Random107 {
 #[independent(dot(x5), dot(x4), dot(x1))]
 #[independent(dot(x2), dot(x4), dot(x1))]
 #[independent(dot(x2), dot(x6), dot(x3))]
+#[output(place = sin(1.14*x2 - 0.54)*cos(0.47*x2 + 0.87*x5 - 0.67), power = p1*x6 + p2*exp(0.20*x6) + p1*x4 + p1*exp(0.20*x3), push = tan(0.56*sin(x5))/2*ddot(x2) + dot(x2)*ddot(x2), pull = (1.28 + 0.29*sin(1.11*x6 + 0.47))*reaction(row1) - push, share = pull/(1.91 + powi(reaction(row1), 2)))]
 pub struct Random108 {
     #[nominal(0.51)]
     pub p1: f64,
@@ -2967,6 +3038,7 @@ pub struct Random109 {
     dot(x1)*dot(x1)/(1.18 + 0.29*cos(1.08*x1 - 0.84*x1)) + p1*dot(x1)*dot(x1)*powi(cos(1.04*x1), 3),
 )]
 #[potential_energy(powi(cos(0.97*x1), 3))]
+#[output(place = exp(-powi(x1, 2)/2), power = 0.46*powi(dot(x1), 2) - p2*exp(0.20*x1), push = ln(1.60 + 0.81*cos(x1))*ddot(x1) + dot(x1)*ddot(x1))]
 pub struct Random110 {
     #[nominal(1.28)]
     pub p1: f64,
@@ -2982,6 +3054,7 @@ pub struct Random110 {
     0,
 )]
 #[constraint(row1: dot(x1) + 0.27*(if x1 <= 0.16 { cos(1.02*x1) } else { 0.54*sin(x1)/(1.50 + cos(x1)) }) == 0)]
+#[output(place = (if x1 >= 0.06 { cos(1.07*x1 - 0.46) } else { tan(0.68*sin(x1))/2 }), power = 1.22*powi(dot(x1), 2) - 1.62*powi(dot(x1), 2) - 1.75*sin(p1*x1 + 0.67), push = 1/sqrt(1.50 + powi(x1, 2))*ddot(x1) + dot(x1)*ddot(x1), pull = (1.12 + 0.22*powi(cos(0.92*x1 - 0.77*x1), 3))*reaction(row1) - push, share = pull/(1.50 + powi(reaction(row1), 2)))]
 pub struct Random111 {
     #[nominal(1.12)]
     pub p1: f64,
@@ -3047,6 +3120,7 @@ pub struct Random113 {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
 #[coordinates(x1)]
 #[inertia(matrix(
     [((1.28 + 0.25*1/sqrt(1.50 + powi(x1, 2))))*((1.28 + 0.25*1/sqrt(1.50 + powi(x1, 2))))],
@@ -3057,6 +3131,7 @@ pub struct Random113 {
 #[potential_energy(tan(0.47*sin(x1))/2)]
 #[constraint(height: 1.58*x1 + 0.11*sin(x1) - 0.28 == 0)]
 #[constraint(height_rate: (1.12 - 0.26*(if x1 < 0.00 { 1/sqrt(1.50 + powi(x1, 2)) } else { sin(p1*x1 - 0.57) }))*(1.58*dot(x1) + 0.11*cos(x1)*dot(x1)) == 0)]
+#[output(place = wave(0.68*x1), power = dot(x1)*sqrt(2 + powi(dot(x1), 2)) - dot(x1)*sqrt(2 + powi(dot(x1), 2)) - 1.45*atan2(x1, 2 + cos(x1))/2, push = tan(0.40*sin(x1))/2*ddot(x1) + dot(x1)*ddot(x1))]
 pub struct Random114 {
     #[nominal(1.45)]
     pub p1: f64,
@@ -3127,6 +3202,7 @@ pub struct Random116 {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
 #[coordinates(x1)]
 #[speeds(v1)]
 #[kinematics(
@@ -3141,6 +3217,7 @@ pub struct Random116 {
 )]
 #[potential_energy(sin(1.14*x1)*cos(0.70*x1))]
 #[configuration(of(q1), x1 = 1.25*q1)]
+#[output(place = cos(0.64*x1 + 0.45*t + 1.27), power = v1*v1/(1.11 + 0.35*wave(1.09*x1 + 0.55*x1)) + p1*1.09 + v1*v1/1.08, push = sin(0.84*t + 0.38*t)*dot(v1) + v1*ddot(x1))]
 pub struct Random117 {
     #[nominal(0.64)]
     pub p1: f64,
@@ -3177,6 +3254,7 @@ pub struct Random117 {
 #[configuration(x4 = 0.62*sin(0.88*x5 - 0.77*x1))]
 #[constraint(rolling: dot(x6) + 0.22*sin(0.74*x3 + 0.66*x3)*dot(x3) - 0.34*exp(-powi(x3, 2)/2)*dot(x2) + 0.27*(if x2 > -0.04 { cos(1.14*x6) } else { x1/(1 + powi(x1, 2)) })*dot(x5) == 0)]
 #[independent(s1 = 1.85*dot(x3) - 0.15*x5/(1 + powi(x5, 2))*dot(x6), s2 = (1.50 - 0.23*0.82*sin(x6)/(1.50 + cos(x1)))*dot(x2) - 0.19*cos(0.42*x2 - 0.73*x3)*dot(x3) + 0.21*(if x5 <= -0.35 { 0.93*sin(x5)/(1.50 + cos(x2)) } else { sin(0.54*x3 - 0.89*x3) })*dot(x6) + 0.57*cos(1.12*x3), dot(x5), s4 = 1.05*dot(x1) - 0.26*(if x2 >= -0.58 { cos(0.74*x1) } else { 1/sqrt(1.50 + powi(x1, 2)) })*dot(x3) + 0.22*0.31*sin(x3)/(1.50 + cos(x1))*dot(x2))]
+#[output(place = x1/(1 + powi(x1, 2)), power = p1*x4 + 0.55*v1/(1 + powi(x2, 2)), push = sin(0.47*x6 - 0.22)*dot(v4) + v6*ddot(x6), pull = (1.29 - 0.23*ln(1.60 + 0.94*cos(x3)))*reaction(rolling) - push, share = pull/(1.65 + powi(reaction(rolling), 2)))]
 pub struct Random118 {
     #[nominal(0.96)]
     pub p1: f64,
@@ -3213,6 +3291,7 @@ pub struct Random118 {
     w1 = [-(1.34 - 0.29*ln(1.60 + 0.88*cos(x4)))*(0), -(1.34 - 0.29*ln(1.60 + 0.88*cos(x4)))*(0.38*1/sqrt(1.50 + powi(x4, 2))), (1.34 - 0.29*ln(1.60 + 0.88*cos(x4))), -(1.34 - 0.29*ln(1.60 + 0.88*cos(x4)))*(0.68*wave(0.49*x1 + 1.39)), 0, -(1.34 - 0.29*ln(1.60 + 0.88*cos(x4)))*(0.52*wave(0.94*x3 - 0.36*x4 - 0.43))],
     w2 = [-(1.36 + 0.24*(if x4 > 0.52 { x1/(1 + powi(x1, 2)) } else { sin(0.66*x3 + 0.79*x6) }))*(0), -(1.36 + 0.24*(if x4 > 0.52 { x1/(1 + powi(x1, 2)) } else { sin(0.66*x3 + 0.79*x6) }))*(0.36*1/sqrt(1.50 + powi(x2, 2))), 0, -(1.36 + 0.24*(if x4 > 0.52 { x1/(1 + powi(x1, 2)) } else { sin(0.66*x3 + 0.79*x6) }))*(0.41*wave(0.64*x3 - 0.63*x3)), (1.36 + 0.24*(if x4 > 0.52 { x1/(1 + powi(x1, 2)) } else { sin(0.66*x3 + 0.79*x6) })), -(1.36 + 0.24*(if x4 > 0.52 { x1/(1 + powi(x1, 2)) } else { sin(0.66*x3 + 0.79*x6) }))*(0.37*(if x5 >= 0.26 { tan(0.57*sin(x5))/2 } else { bump(0.98*x2) }))],
 )]
+#[output(place = 0.52*sin(x6)/(1.50 + cos(x1)), power = p2*1.31 - 0.36*cos(0.53*x4 - 0.37*x3), push = sin(1.04*x5)*ddot(x2) + dot(x1)*ddot(x1), pull = 1.11*reaction(row3) - push, share = pull/(1.56 + powi(reaction(row3), 2)))]
 pub struct Random119 {
     #[nominal(0.92)]
     pub p1: f64,
@@ -3308,6 +3387,7 @@ pub struct Random121 {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
 #[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1)]
 #[speeds(v1)]
@@ -3320,6 +3400,7 @@ pub struct Random121 {
 )]
 #[constraint(row1: 1.89*v1 + 0.17*sin(0.48*t + 0.21*x1)*v1*v1 - 0.26*(if t > -0.08 { sin(p2*t - 0.89) } else { bump(0.99*t + 0.66*x1) }) == 0)]
 #[independent(v1)]
+#[output(place = cos(0.49*t), power = 1.82*1/sqrt(1.50 + powi(x1, 2)) - 0.60*powi(v1, 2) - 1.12*v1, push = wave(1.07*t + 0.45*x1 - 1.32)*dot(v1) + v1*ddot(x1), pull = 1.37*reaction(row1) - push, share = pull/(1.46 + powi(reaction(row1), 2)))]
 pub struct Random122 {
     #[nominal(1.36)]
     pub p1: f64,
@@ -3424,6 +3505,7 @@ pub struct Random124 {
 #[constraint(row1: 1.05*v4 + 0.21*cos(0.48*x6)*v2 + 0.33*sin(p2*x5 + 0.57)*v5 - 0.49*1/sqrt(1.50 + powi(x1, 2)) == 0)]
 #[constraint(row2: ddot(x3) - 0.25*wave(0.56*x4 - 0.30*x6 - 1.08)*dot(v2) + 0.10*sin(1.01*x2)*cos(1.01*x2 + 0.53*x4)*dot(v5) + 0.33*v5*v6*sin(0.95*x4 - 0.81*x1) == 0)]
 #[independent(v1, v6, v5, v2, v3)]
+#[output(place = (if x2 >= 0.50 { 0.58*sin(x4)/(1.50 + cos(x1)) } else { sin(0.41*x5 - 0.44*x3 - 0.17)*cos(0.48*x5) }), power = 0.34*sin(1.03*x6 - 0.81)*cos(0.43*x3) - p1*v5*v1*sin(0.76*x6 + 0.34*x6) - p3*x5 - p1*exp(0.20*x6), push = wave(0.42*x4 + 0.67*x1 + 1.22)*dot(v5) + v6*ddot(x6), pull = (1.34 - 0.16*exp(-powi(x2, 2)/2))*reaction(row2) - push, share = pull/(1.67 + powi(reaction(row2), 2)))]
 pub struct Random125 {
     #[nominal(1.06)]
     pub p1: f64,
@@ -3476,6 +3558,7 @@ pub struct Random126 {
 
 #[derive(ConstrainedSystem, Clone, Debug)]
 #[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
+#[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2, x3, x4, x5, x6)]
 #[speeds(v1, v2, v3, v4, v5, v6)]
 #[kinematics(
@@ -3507,6 +3590,7 @@ pub struct Random126 {
 #[constraint(row3: v4 + 0.16*(if x1 > 0.38 { cos(0.74*x4 + 0.26*x4) } else { 0.97*sin(t)/(1.50 + cos(x2)) })*v5 - 0.22*sin(0.57*x6 + 1.44)*v3 + 0.15*cos(0.62*x6 - 0.81*x1 - 0.67)*v6 == 0)]
 #[constraint(again1: (1.36 - 0.33*sin(1.08*x3 - 0.27*x1))*(v4 + 0.16*(if x1 > 0.38 { cos(0.74*x4 + 0.26*x4) } else { 0.97*sin(t)/(1.50 + cos(x2)) })*v5 - 0.22*sin(0.57*x6 + 1.44)*v3 + 0.15*cos(0.62*x6 - 0.81*x1 - 0.67)*v6) == 0, redundant)]
 #[constraint(again2: (1.33 + 0.25*(if x4 < 0.21 { sin(1.04*x5)*cos(0.99*x6) } else { 1/sqrt(1.50 + powi(t, 2)) }))*(v4 + 0.16*(if x1 > 0.38 { cos(0.74*x4 + 0.26*x4) } else { 0.97*sin(t)/(1.50 + cos(x2)) })*v5 - 0.22*sin(0.57*x6 + 1.44)*v3 + 0.15*cos(0.62*x6 - 0.81*x1 - 0.67)*v6) + 0.37*(v1 - 0.20*tan(0.46*sin(t))/2*v5) == 0, redundant)]
+#[output(place = bump(0.54*t + 0.77*x1), power = p1*v3*v5*sin(0.40*x3 + 0.60*x1 + 1.11) + p2*v1*v3*sin(1.20*x2 + 0.75*x1) + v6*sqrt(2 + powi(v1, 2)), push = atan2(x5, 2 + cos(x5))/2*dot(v2) + v2*ddot(x2), pull = (1.19 + 0.26*sin(1.19*t))*reaction(row1) - push, share = pull/(1.05 + powi(reaction(row1), 2)))]
 pub struct Random127 {
     #[nominal(0.68)]
     pub p1: f64,
@@ -3515,6 +3599,7 @@ pub struct Random127 {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1)]
 #[inertia(matrix(
     [((1.34 + 0.26*tan(0.78*sin(x1))/2))*((1.34 + 0.26*tan(0.78*sin(x1))/2))],
@@ -3523,6 +3608,7 @@ pub struct Random127 {
     dot(x1)*dot(x1)/1.36 + p1*exp(0.20*x1) + 1.74*powi(dot(x1), 2),
 )]
 #[constraint(row1: 1.48*x1 + 0.11*sin(x1) - 0.62 == 0)]
+#[output(place = (if x1 > -0.58 { bump(0.64*x1 + 0.47) } else { cos(0.72*x1) }), power = p2*exp(0.20*x1) + 1.77*powi(dot(x1), 2) + dot(x1)*sqrt(2 + powi(dot(x1), 2)) + 1.35*dot(x1), push = sin(0.73*x1)*ddot(x1) + dot(x1)*ddot(x1), pull = (1.04 + 0.13*sin(0.61*x1))*reaction(row1) - push, share = pull/(1.59 + powi(reaction(row1), 2)))]
 pub struct Random128 {
     #[nominal(0.70)]
     pub p1: f64,
@@ -3546,6 +3632,7 @@ pub struct Random128 {
 )]
 #[configuration(x5 = 1.34*cos(0.81*x6), x1 = 1.43*sin(1.13*x4))]
 #[constraint(bound: ddot(x6) + 0.14*0.49*sin(x4)/(1.50 + cos(x5))*ddot(x4) + 0.12*(if x1 > -0.50 { atan2(x1, 2 + cos(x1))/2 } else { 0.59*sin(x6)/(1.50 + cos(x4)) })*ddot(x3) - 0.32*atan2(x4, 2 + cos(x2))/2 == 0)]
+#[output(place = exp(-powi(x5, 2)/2), power = p2*dot(x2)*dot(x4)*powi(cos(1.00*x1 + 1.13), 3) - 1.30*powi(dot(x2), 2) - p2*x2 - dot(x2)*dot(x2)/(1.09 + 0.22*atan2(x3, 2 + cos(x5))/2), push = sin(0.69*x2 - 0.44*x6)*ddot(x6) + dot(x1)*ddot(x1), pull = 1.09*reaction(bound) - push, share = pull/(1.72 + powi(reaction(bound), 2)))]
 pub struct Random129 {
     #[nominal(0.95)]
     pub p1: f64,
@@ -3613,12 +3700,14 @@ pub struct Random132 {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
 #[coordinates(x1)]
 #[kinetic_energy(powi(((1.20 + 0.13*(if x1 > 0.51 { tan(0.90*sin(x1))/2 } else { sin(0.80*x1) })))*dot(x1), 2)/2 - 0.48*cos(1.01*x1))]
 #[forces(
     1.04*powi(dot(x1), 2) - dot(x1)*sqrt(2 + powi(dot(x1), 2)) - p1*1.50,
 )]
 #[constraint(row1: (1.50 + 0.17*sin(0.42*x1)*cos(0.63*x1 + 0.34*x1))*dot(x1) == 0)]
+#[output(place = wave(1.18*x1 - 0.79*x1 - 1.43), power = dot(x1)*dot(x1)/1.02 - p1*1.87, push = atan2(x1, 2 + cos(x1))/2*ddot(x1) + dot(x1)*ddot(x1), pull = 1.00*reaction(row1) - push, share = pull/(1.68 + powi(reaction(row1), 2)))]
 pub struct Random133 {
     #[nominal(1.40)]
     pub p1: f64,
@@ -3754,6 +3843,7 @@ pub struct Random138 {
 )]
 #[configuration(of(q1), x1 = 1.25*q1, x2 = 0.40*sin(q1)/(1.50 + cos(q1)))]
 #[constraint(held_x2: x2 - (0.40*sin((x1/1.25))/(1.50 + cos((x1/1.25)))) == 0)]
+#[output(place = bump(0.57*x1 + 0.57), power = p1*v2*v2*0.91*sin(x2)/(1.50 + cos(x1)) + v1*sqrt(2 + powi(v1, 2)), push = bump(1.10*x1)*dot(v2) + v2*ddot(x2), pull = 1.34*reaction(held_x2) - push, share = pull/(1.66 + powi(reaction(held_x2), 2)))]
 pub struct Random139 {
     #[nominal(0.74)]
     pub p1: f64,
@@ -3815,7 +3905,8 @@ pub struct Random141 {
 #[forces(
     1.26*dot(x1) + dot(x1)*dot(x1)/(1.30 + 0.21*cos(0.55*x1)) + 0.72*powi(cos(0.47*t + 0.34*x1), 3) + 1.09*dot(x1),
 )]
-#[independent(s1 = 1.38*dot(x1))]
+#[independent(s1 = (1.50 - 0.18*ln(1.60 + 0.39*cos(x1)))*dot(x1) - 0.54*sin(p1*x1 + 0.42))]
+#[output(place = ln(1.60 + 0.92*cos(t)), power = 1.10*t/(1 + powi(t, 2)) + 1.77*dot(x1)/(1 + powi(x1, 2)) + 1.05*dot(x1) + p1*dot(x1)*dot(x1)*cos(0.96*t - 0.37*t - 0.69), push = (if t <= 0.15 { tan(0.64*sin(x1))/2 } else { atan2(t, 2 + cos(t))/2 })*ddot(x1) + dot(x1)*ddot(x1))]
 pub struct Random142 {
     #[nominal(0.99)]
     pub p1: f64,
@@ -3834,6 +3925,7 @@ pub struct Random142 {
     p3*0.52 + p3*exp(0.20*x1),
 )]
 #[constraint(row1: 1.52*x1 + 0.47 == 0)]
+#[output(place = tan(0.92*sin(x1))/2, power = 1.90*v1/(1 + powi(x1, 2)) - 0.36*v1, push = cos(0.50*x1 - 0.33*x1)*dot(v1) + v1*ddot(x1), pull = 1.40*reaction(row1) - push, share = pull/(1.38 + powi(reaction(row1), 2)))]
 pub struct Random143 {
     #[nominal(0.93)]
     pub p1: f64,
@@ -3874,6 +3966,7 @@ pub struct Random144 {
     p2*exp(0.20*x1) - 0.38*tan(0.53*sin(x1))/2 - v1*v1/1.02 - 0.37*sin(1.03*x1 + 0.72*x1),
 )]
 #[constraint(row1: 1.37*dot(v1) - 0.25*v1/sqrt(1.20 + powi(v1, 2)) == 0)]
+#[output(place = 1/sqrt(1.50 + powi(x1, 2)), power = p1*v1*v1*0.69*sin(x1)/(1.50 + cos(x1)) - 0.99*v1, push = cos(0.96*x1)*dot(v1) + v1*ddot(x1), pull = 1.37*reaction(row1) - push, share = pull/(1.46 + powi(reaction(row1), 2)))]
 pub struct Random145 {
     #[nominal(1.04)]
     pub p1: f64,
@@ -3951,6 +4044,7 @@ pub struct Random147 {
 #[constraint(row3: dot(v1) + 0.22*tan(0.39*sin(x1))/2*dot(v3) - 0.29*bump(1.20*x2)*dot(v2) - 0.76*sin(1.00*x2) == 0)]
 #[independent(v1, v2)]
 #[independent(s1 = v1 - 0.13*(if x2 < 0.43 { cos(1.10*x1 - 0.34) } else { cos(0.81*x1 - 1.14) })*v3, s2 = (1.50 + 0.28*(if x2 > -0.10 { powi(cos(0.61*x3 - 0.48*x2), 3) } else { 0.45*sin(x3)/(1.50 + cos(x1)) }))*v2 - 0.27*1/sqrt(1.50 + powi(x2, 2))*v1 - 0.38*(if x3 < -0.13 { wave(0.84*x1) } else { sin(0.80*x3 - 1.00) }))]
+#[output(place = cos(0.45*x3 + 0.39*x2), power = p2*exp(0.20*x1) + p2*v1*v2*sin(0.86*x1 + 0.57*x3)*cos(0.60*x3 + 0.39*x1) + 0.80*v3 + p2*x1, push = 1/sqrt(1.50 + powi(x1, 2))*dot(v3) + v2*ddot(x2), pull = (1.22 + 0.16*cos(0.44*x3))*reaction(row2) - push, share = pull/(1.59 + powi(reaction(row2), 2)))]
 pub struct Random148 {
     #[nominal(1.31)]
     pub p1: f64,
@@ -4078,6 +4172,7 @@ pub struct Random153 {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2, x3)]
 #[inertia(diag(1.11, 1.21, (1.40 - 0.25*atan2(x1, 2 + cos(x2))/2)))]
 #[forces(
@@ -4086,6 +4181,7 @@ pub struct Random153 {
     dot(x1)*sqrt(2 + powi(dot(x2), 2)) - 1.25*dot(x1)/(1 + powi(x2, 2)) - p1*x2 - dot(x3)*sqrt(2 + powi(dot(x2), 2)),
 )]
 #[potential_energy(exp(-powi(x1, 2)/2))]
+#[output(place = 1/sqrt(1.50 + powi(x2, 2)), power = p1*dot(x2)*dot(x1)*bump(1.07*x1 - 0.78), push = sin(1.19*x2)*ddot(x1) + dot(x1)*ddot(x1))]
 pub struct Random154 {
     #[nominal(0.77)]
     pub p1: f64,
@@ -4131,6 +4227,7 @@ pub struct Random155 {
 )]
 #[potential_energy(1/sqrt(1.50 + powi(x1, 2)))]
 #[constraint(row1: 1.61*x1 + 0.32*x2 + 0.30*sin(0.46*t) - 0.44 == 0)]
+#[output(place = tan(0.91*sin(t))/2, power = p1*exp(0.20*x2) + tau*1.63, push = sin(1.15*t + 0.78*x2)*cos(1.15*t + 0.76)*dot(v2) + v1*ddot(x1), pull = (1.30 - 0.29*1/sqrt(1.50 + powi(x2, 2)))*reaction(row1) - push, share = pull/(1.50 + powi(reaction(row1), 2)))]
 pub struct Random156 {
     #[nominal(1.20)]
     pub p1: f64,
@@ -4175,6 +4272,7 @@ pub struct Random157 {
 )]
 #[constraint(height: 1.45*x1 + 0.25*x2 + 0.30*sin(0.63*t) - 0.21 == 0)]
 #[constraint(height_rate: 1.26*(1.45*dot(x1) + 0.25*dot(x2) + 0.30*0.63*cos(0.63*t)) == 0)]
+#[output(place = cos(0.55*x2 - 0.73*x2), power = p1*1.24 + 1.86*(if x1 < -0.12 { powi(cos(0.66*t - 0.79*x1), 3) } else { 0.71*sin(t)/(1.50 + cos(t)) }) + p1*exp(0.20*x1), push = (if x1 < -0.06 { sin(1.18*x1) } else { cos(1.07*x1 - 0.85*x1 - 0.57) })*ddot(x2) + dot(x2)*ddot(x2))]
 pub struct Random158 {
     #[nominal(0.66)]
     pub p1: f64,
@@ -4238,6 +4336,7 @@ pub struct Random160 {
     1.47*sin(0.44*x2)*cos(0.43*x2),
 )]
 #[configuration(of(q1, q2), x2 = 1.25*q1, x1 = 1.25*q2)]
+#[output(place = powi(cos(0.76*x2), 3), power = 0.85*dot(x1)/(1 + powi(x1, 2)) - 1.16*(if x2 > -0.46 { 0.50*sin(x1)/(1.50 + cos(x1)) } else { exp(-powi(x2, 2)/2) }), push = (if x1 >= 0.56 { cos(1.14*x1 - 0.64*x2) } else { sin(p1*x2 - 0.85) })*ddot(x2) + dot(x1)*ddot(x1))]
 pub struct Random161 {
     #[nominal(0.70)]
     pub p1: f64,
@@ -4262,6 +4361,7 @@ pub struct Random161 {
 #[configuration(x3 = 1.31*sin(p3*x2 - 0.10), x1 = 0.88*sin(p3*x2 + 0.53))]
 #[constraint(held_x3: x3 - (1.31*sin(p3*x2 - 0.10)) == 0)]
 #[constraint(held_x1: x1 - (0.88*sin(p3*x2 + 0.53)) == 0)]
+#[output(place = sin(1.07*x3), power = 1.57*v3 + 1.15*v1/(1 + powi(x2, 2)) + v2*v2/(1.39 + 0.13*wave(0.47*x3 + 0.63*x3)) + p2*0.57, push = (if x1 >= -0.04 { sin(0.98*x3 + 0.34*x2) } else { wave(0.66*t) })*dot(v1) + v2*ddot(x2), pull = (1.32 - 0.34*(if x3 < -0.27 { ln(1.60 + 0.55*cos(x2)) } else { sin(p1*x2 + 0.55) }))*reaction(held_x3) - push, share = pull/(1.98 + powi(reaction(held_x3), 2)))]
 pub struct Random162 {
     #[nominal(1.39)]
     pub p1: f64,
@@ -4336,6 +4436,7 @@ pub struct Random164 {
 #[constraint(row1: 1.85*dot(x2) == 0)]
 #[constraint(row2: (1.50 - 0.13*ln(1.60 + 0.79*cos(x2)))*dot(x1) + 0.34*0.84*sin(x2)/(1.50 + cos(x1))*dot(x2) == 0)]
 #[constraint(row3: 1.69*dot(x3) - 0.34*(if t < 0.17 { exp(-powi(x3, 2)/2) } else { bump(0.51*x2 - 0.80*x1) })*dot(x2) - 0.21*ln(1.60 + 0.73*cos(x3))*dot(x1) + 0.38*wave(0.55*x3 - 0.73*x1 + 0.24) == 0)]
+#[output(place = 1/sqrt(1.50 + powi(t, 2)), power = 0.73*dot(x3), push = powi(cos(0.53*x1 - 0.57*t), 3)*ddot(x2) + dot(x3)*ddot(x3), pull = (1.36 - 0.24*ln(1.60 + 0.85*cos(x2)))*reaction(row2) - push, share = pull/(1.23 + powi(reaction(row2), 2)))]
 pub struct Random165 {
     #[nominal(1.35)]
     pub p1: f64,
@@ -4379,8 +4480,9 @@ pub struct Random166 {
 #[constraint(row1: 1.79*ddot(x3) - 0.31*dot(x2) - 0.31*x1/(1 + powi(x1, 2)) == 0)]
 #[constraint(row2: ddot(x2) + 0.20*sin(0.49*x2 + 0.39*x2)*cos(0.70*x3)*ddot(x3) + 0.71*dot(x3) + 0.71*sin(1.03*x2 + 1.47) == 0)]
 #[constraint(row3: 1.67*ddot(x1) + 0.13*cos(0.71*x2)*ddot(x3) - 0.12*sin(1.10*x3 - 0.52)*cos(0.61*x2)*ddot(x2) - 0.75*powi(cos(1.16*x2), 3) == 0)]
-#[independent(s1 = 1.85*dot(x1), s2 = (1.50 - 0.29*atan2(x2, 2 + cos(x2))/2)*dot(x2) - 0.21*wave(0.42*x1)*dot(x1), dot(x3))]
+#[independent(s1 = (1.50 + 0.27*0.54*sin(x3)/(1.50 + cos(x3)))*dot(x1) - 0.27*sin(0.75*x3), s2 = dot(x2) - 0.20*cos(1.05*x2)*dot(x1) + 0.22*tan(0.45*sin(x1))/2, s3 = 1.70*dot(x3) + 0.29*0.97*sin(x3)/(1.50 + cos(x2))*dot(x1) + 0.20*sin(0.42*x1 - 0.25*x1 + 1.37)*cos(0.56*x2)*dot(x2) - 0.41*cos(0.80*x2 - 0.70*x3))]
 #[independent(dot(x1), dot(x2), dot(x3))]
+#[output(place = cos(0.50*x3 - 0.61*x3), power = p1*0.75 - p1*exp(0.20*x3) - dot(x1)*sqrt(2 + powi(dot(x1), 2)), push = wave(0.73*x2 + 0.65*x2)*ddot(x1) + dot(x2)*ddot(x2), pull = (1.01 - 0.30*0.59*sin(x2)/(1.50 + cos(x1)))*reaction(row3) - push, share = pull/(1.09 + powi(reaction(row3), 2)))]
 pub struct Random167 {
     #[nominal(0.62)]
     pub p1: f64,
@@ -4399,6 +4501,7 @@ pub struct Random167 {
 )]
 #[constraint(row1: 1.46*x1 + 0.19*sin(x1) + 0.60 == 0)]
 #[constraint(row2: 1.94*dot(x2) + 0.16*dot(x2)*dot(x1)*sin(1.09*x1) - 0.59*sin(1.01*x1) == 0)]
+#[output(place = (if x1 <= -0.08 { sin(1.00*x1 - 0.46*x2 + 0.79) } else { sin(0.87*x2 - 0.31*x1) }), power = dot(x1)*dot(x2)/1.16 + p1*x2 + p3*x1 + dot(x2)*dot(x2)/(1.06 - 0.34*tan(0.57*sin(x1))/2), push = cos(1.02*x2)*ddot(x2) + dot(x1)*ddot(x1), pull = 1.36*reaction(row2) - push, share = pull/(1.09 + powi(reaction(row2), 2)))]
 pub struct Random168 {
     #[nominal(1.00)]
     pub p1: f64,
@@ -4409,6 +4512,7 @@ pub struct Random168 {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2)]
 #[speeds(v1, v2)]
 #[kinematics(
@@ -4425,6 +4529,7 @@ pub struct Random168 {
 )]
 #[constraint(row1: 1.75*x2 + 0.12*sin(x2) + 0.30*sin(1.15*t) + 0.55 == 0)]
 #[constraint(row2: (1.50 + 0.12*cos(0.92*x1 - 0.15))*dot(v1) - 0.25*(if t > 0.02 { x1/(1 + powi(x1, 2)) } else { atan2(x2, 2 + cos(x1))/2 })*dot(v2) + 0.80*cos(0.90*x1 - 0.38*x2) == 0)]
+#[output(place = sin(1.05*t), power = v2*v2/(1.02 - 0.19*cos(1.12*x1 - 1.02)), push = bump(0.73*t - 0.64*x2 - 0.34)*dot(v2) + v2*ddot(x2), pull = (1.15 + 0.26*sin(0.94*t))*reaction(row2) - push, share = pull/(1.89 + powi(reaction(row2), 2)))]
 pub struct Random169 {
     #[nominal(1.34)]
     pub p1: f64,
@@ -4475,6 +4580,7 @@ pub struct Random170 {
 #[constraint(row1: dot(x1) + 0.13*x1/(1 + powi(x1, 2))*dot(x2) - 0.36*0.44*sin(x2)/(1.50 + cos(x1)) == 0)]
 #[constraint(again1: (1.09 - 0.26*sin(0.69*x2 - 0.35*x1))*(dot(x1) + 0.13*x1/(1 + powi(x1, 2))*dot(x2) - 0.36*0.44*sin(x2)/(1.50 + cos(x1))) == 0, redundant)]
 #[constraint(again2: (1.04 - 0.34*atan2(x1, 2 + cos(x2))/2)*(dot(x1) + 0.13*x1/(1 + powi(x1, 2))*dot(x2) - 0.36*0.44*sin(x2)/(1.50 + cos(x1))) == 0, redundant)]
+#[output(place = sin(p2*x2 - 0.51), power = 0.66*dot(x1) - 0.76*dot(x1) - p2*exp(0.20*x2), push = 1/sqrt(1.50 + powi(x1, 2))*ddot(x1) + dot(x2)*ddot(x2), pull = (1.17 - 0.31*sin(0.86*x1))*reaction(again2) - push, share = pull/(1.73 + powi(reaction(again2), 2)))]
 pub struct Random171 {
     #[nominal(1.21)]
     pub p1: f64,
@@ -4496,6 +4602,7 @@ pub struct Random171 {
 #[constraint(row1: (1.50 + 0.24*(if x2 >= -0.55 { x3/(1 + powi(x3, 2)) } else { 0.34*sin(x3)/(1.50 + cos(x3)) }))*dot(x1) == 0)]
 #[constraint(row2: (1.50 + 0.19*atan2(x3, 2 + cos(x1))/2)*dot(x2) + 0.29*tan(0.93*sin(x3))/2*dot(x1) == 0)]
 #[constraint(row3: (1.50 - 0.18*(if x2 < -0.00 { sin(1.10*x1 + 0.69*x3) } else { cos(0.63*x2 + 0.22*x1) }))*dot(x3) - 0.11*wave(1.20*x2)*dot(x1) - 0.36*(if x2 >= 0.53 { sin(p1*x1 - 0.62) } else { 1/sqrt(1.50 + powi(x2, 2)) }) == 0)]
+#[output(place = x3/(1 + powi(x3, 2)), power = p1*dot(x1)*dot(x1)*powi(cos(0.53*x2 - 0.84*x3), 3), push = 1/sqrt(1.50 + powi(x1, 2))*ddot(x3) + dot(x1)*ddot(x1), pull = (1.30 - 0.23*(if x3 >= 0.02 { tan(0.98*sin(x1))/2 } else { atan2(x1, 2 + cos(x1))/2 }))*reaction(row1) - push, share = pull/(1.21 + powi(reaction(row1), 2)))]
 pub struct Random172 {
     #[nominal(0.84)]
     pub p1: f64,
@@ -4503,6 +4610,7 @@ pub struct Random172 {
 
 #[derive(ConstrainedSystem, Clone, Debug)]
 #[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
+#[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2, x3)]
 #[speeds(v1, v2, v3)]
 #[kinematics(
@@ -4525,6 +4633,7 @@ pub struct Random172 {
 )]
 #[configuration(x3 = 1.08*0.55*sin(x2)/(1.50 + cos(x1)))]
 #[constraint(bound: 1.06*v1 + 0.24*v1*v2*exp(-powi(x2, 2)/2) - 0.39*sin(0.70*t - 0.45*x3) == 0)]
+#[output(place = (if x2 >= -0.35 { sin(1.17*x3 + 0.22)*cos(0.58*x3 + 0.79*t + 1.41) } else { sin(0.42*x2 - 0.44*x3) }), power = 1.77*powi(v2, 2) + p2*v3*v1*bump(0.85*x3 - 0.30*x3 - 1.27) + v1*sqrt(2 + powi(v3, 2)), push = t/(1 + powi(t, 2))*dot(v2) + v3*ddot(x3), pull = (1.02 - 0.30*sin(0.80*x1 + 0.49*x3 + 0.16))*reaction(bound) - push, share = pull/(1.16 + powi(reaction(bound), 2)))]
 pub struct Random173 {
     #[nominal(1.01)]
     pub p1: f64,
@@ -4550,6 +4659,7 @@ pub struct Random173 {
 #[constraint(row1: (1.38 + 0.20*bump(1.00*x2))*v2 + 0.87*v1 + 0.30*(if t <= 0.43 { sin(0.49*t)*cos(0.64*t) } else { x2/(1 + powi(x2, 2)) }) == 0)]
 #[independent(v1)]
 #[independent(v2)]
+#[output(place = sin(p1*x2 - 0.34), power = p1*x2 + v1*v1/1.28 + v2*v1/1.11 + p1*t, push = powi(cos(0.53*x1 - 0.37), 3)*dot(v2) + v1*ddot(x1), pull = (1.19 + 0.23*tan(0.73*sin(x2))/2)*reaction(row1) - push, share = pull/(1.40 + powi(reaction(row1), 2)))]
 pub struct Random174 {
     #[nominal(0.95)]
     pub p1: f64,
@@ -4663,6 +4773,7 @@ pub struct Random178 {
 #[constraint(row1: 1.31*x1 + 0.37*sin(x3) - 0.69 == 0)]
 #[constraint(row2: v2 - 0.12*1/sqrt(1.50 + powi(x2, 2))*v3 + 0.24*exp(-powi(x3, 2)/2)*v1 == 0)]
 #[independent(v3)]
+#[output(place = atan2(x3, 2 + cos(x3))/2, power = 1.67*v3/(1 + powi(x2, 2)), push = tan(0.37*sin(x3))/2*dot(v2) + v1*ddot(x1), pull = (1.21 + 0.27*sin(0.45*x3))*reaction(row2) - push, share = pull/(1.80 + powi(reaction(row2), 2)))]
 pub struct Random179 {
     #[nominal(0.87)]
     pub p1: f64,
@@ -4690,6 +4801,7 @@ pub struct Random179 {
 #[constraint(height_rate: (1.19 - 0.34*0.50*sin(x1)/(1.50 + cos(x4)))*(1.97*dot(x1) + 0.30*cos(x2)*dot(x2) + 0.37*exp(0.37*x4)*dot(x4)/2) == 0)]
 #[constraint(further: v3 + 0.32*cos(1.05*x3 - 0.22*x3)*v2 - 0.20*(if x1 < -0.03 { sin(1.14*x3 + 0.48*x2) } else { bump(0.61*x4) })*v4 + 0.46*x3/(1 + powi(x3, 2)) == 0)]
 #[independent(v4, v2)]
+#[output(place = cos(1.18*x2 - 0.89), power = v4*sqrt(2 + powi(v4, 2)) - p1*x2 - p1*v4*v3*(if x3 <= -0.24 { bump(1.15*x2 - 0.86*x3) } else { 0.77*sin(x1)/(1.50 + cos(x3)) }) - 1.69*powi(v2, 2), push = powi(cos(0.84*x3), 3)*dot(v3) + v2*ddot(x2))]
 pub struct Random180 {
     #[nominal(0.58)]
     pub p1: f64,
@@ -4748,6 +4860,7 @@ pub struct Random181 {
     v4*v2/(1.08 + 0.35*exp(-powi(x1, 2)/2)) + 0.53*v1/(1 + powi(x2, 2)),
 )]
 #[configuration(x1 = 1.32*cos(0.53*x2 - 0.43*x3))]
+#[output(place = 1/sqrt(1.50 + powi(x2, 2)), power = 1.82*powi(v2, 2) + 1.34*powi(v4, 2) + p1*exp(0.20*x4), push = wave(0.93*x3)*dot(v2) + v4*ddot(x4))]
 pub struct Random182 {
     #[nominal(1.46)]
     pub p1: f64,
@@ -4912,6 +5025,7 @@ pub struct Random187 {
 )]
 #[potential_energy(cos(0.85*x3))]
 #[constraint(row1: 1.70*dot(x3) + 0.26*dot(x3)*dot(x2)*powi(cos(0.98*x1 + 0.53*x1), 3) + 0.34*wave(0.87*x1 + 0.46*x3 - 0.43) == 0)]
+#[output(place = (if x1 > 0.15 { powi(cos(0.56*x2), 3) } else { powi(cos(1.04*x3), 3) }), power = dot(x2)*sqrt(2 + powi(dot(x3), 2)) + dot(x1)*dot(x1)/1.25, push = sin(p1*x3 + 0.53)*ddot(x3) + dot(x3)*ddot(x3), pull = (1.04 + 0.18*1/sqrt(1.50 + powi(x3, 2)))*reaction(row1) - push, share = pull/(1.80 + powi(reaction(row1), 2)))]
 pub struct Random188 {
     #[nominal(0.57)]
     pub p1: f64,
@@ -4941,6 +5055,7 @@ pub struct Random188 {
 #[constraint(row3: (1.50 + 0.11*(if x2 > -0.41 { bump(0.73*x3) } else { atan2(x3, 2 + cos(x2))/2 }))*ddot(x4) - 0.16*sin(0.65*x1 - 0.59*x2)*ddot(x3) - 0.20*bump(1.13*x3 + 0.54*x4)*ddot(x1) - 0.72*dot(x3)*dot(x1)*0.84*sin(x2)/(1.50 + cos(x2)) == 0)]
 #[constraint(row4: 1.29*ddot(x2) + 0.17*powi(cos(1.12*x3 - 0.43*x2), 3)*ddot(x3) + 0.23*ln(1.60 + 0.57*cos(x4))*ddot(x1) + 0.64*exp(-powi(x1, 2)/2) == 0)]
 #[independent(dot(x2), dot(x4), dot(x1), dot(x3))]
+#[output(place = atan2(x4, 2 + cos(x1))/2, power = p2*x3 - 0.55*powi(dot(x3), 2) - 0.89*dot(x1), push = sin(0.68*x2 + 0.23*x1)*ddot(x1) + dot(x2)*ddot(x2), pull = (1.10 - 0.13*sin(p2*x1 + 0.45))*reaction(row2) - push, share = pull/(1.86 + powi(reaction(row2), 2)))]
 pub struct Random189 {
     #[nominal(1.35)]
     pub p1: f64,
@@ -4977,6 +5092,7 @@ pub struct Random189 {
 #[constraint(row3: 1.81*v4 - 0.28*sin(v4 + cos(1.10*x1 - 0.86*x4 + 0.90)*v2) - 0.24*sin(p2*x1 + 0.37) == 0)]
 #[constraint(row4: 1.38*v1 - 0.13*sqrt(1.50 + powi(v4, 2) + powi(v3, 2)) - 0.27*sin(0.86*x4 - 0.85*x1) == 0)]
 #[independent(v1, v4, v3)]
+#[output(place = ln(1.60 + 0.44*cos(x1)), power = 1.31*powi(v2, 2) - 1.36*x1/(1 + powi(x1, 2)) - 0.67*v1, push = sin(p2*x1 - 0.68)*dot(v1) + v4*ddot(x4), pull = (1.08 + 0.22*sin(0.53*x1 + 0.68*x3)*cos(1.11*x2))*reaction(row1) - push, share = pull/(1.88 + powi(reaction(row1), 2)))]
 pub struct Random190 {
     #[nominal(1.00)]
     pub p1: f64,
@@ -5048,6 +5164,7 @@ pub struct Random192 {
 #[constraint(row1: 1.40*dot(x1) + 0.24*dot(x1)*dot(x2)*sin(p2*t + 0.56) + 0.47*sin(p2*x2 + 0.83) == 0)]
 #[constraint(row2: 1.06*dot(x4) + 0.12*sin(dot(x4) + exp(-powi(x3, 2)/2)*dot(x2)) - 0.59*wave(0.54*x4 - 0.48*x2 + 0.21) == 0)]
 #[constraint(again1: (1.05 + 0.28*0.40*sin(t)/(1.50 + cos(x3)))*(1.40*dot(x1) + 0.24*dot(x1)*dot(x2)*sin(p2*t + 0.56) + 0.47*sin(p2*x2 + 0.83)) == 0, redundant)]
+#[output(place = t/(1 + powi(t, 2)), power = 1.20*(if x4 <= 0.39 { sin(0.52*x3 - 0.89*x2) } else { 1/sqrt(1.50 + powi(t, 2)) }) - 1.29*dot(x3) - p3*0.47 - 0.64*powi(dot(x1), 2), push = cos(1.19*x2 + 0.83*x3 + 0.40)*ddot(x2) + dot(x1)*ddot(x1), pull = 1.36*reaction(row2) - push, share = pull/(1.10 + powi(reaction(row2), 2)))]
 pub struct Random193 {
     #[nominal(1.09)]
     pub p1: f64,
@@ -5074,6 +5191,7 @@ pub struct Random193 {
     0.36*v3 - p1*x1,
 )]
 #[constraint(row1: (1.50 - 0.30*1/sqrt(1.50 + powi(x1, 2)))*v3 + 0.17*ln(1.60 + 0.52*cos(x3))*v1 + 0.34*wave(0.98*x2)*v2 == 0)]
+#[output(place = sin(1.03*x3), power = p1*1.25 - p3*v3*v1*(if x2 < -0.47 { 0.89*sin(x3)/(1.50 + cos(x1)) } else { ln(1.60 + 0.45*cos(x1)) }), push = 1/sqrt(1.50 + powi(x2, 2))*dot(v2) + v2*ddot(x2), pull = (1.19 - 0.11*exp(-powi(x1, 2)/2))*reaction(row1) - push, share = pull/(1.32 + powi(reaction(row1), 2)))]
 pub struct Random194 {
     #[nominal(1.07)]
     pub p1: f64,
@@ -5192,6 +5310,7 @@ pub struct Random198 {
 
 #[derive(ConstrainedSystem, Clone, Debug)]
 #[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
+#[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2, x3, x4)]
 #[speeds(v1, v2, v3, v4)]
 #[kinematics(
@@ -5210,6 +5329,7 @@ pub struct Random198 {
 #[potential_energy(sin(p1*x2 - 0.30))]
 #[constraint(row1: v4 - 0.23*0.85*sin(x1)/(1.50 + cos(x4))*v3 + 0.14*cos(0.99*x2 + 0.46*x2)*v2 - 0.33*x1/(1 + powi(x1, 2)) == 0)]
 #[independent(v1, v2, v3)]
+#[output(place = powi(cos(1.04*x2), 3), power = p1*1.00 + p1*x4 + p1*0.72, push = cos(0.83*x2 + 0.62*x2)*dot(v3) + v4*ddot(x4), pull = (1.04 - 0.19*bump(0.71*x2 - 0.48*t + 1.15))*reaction(row1) - push, share = pull/(1.85 + powi(reaction(row1), 2)))]
 pub struct Random199 {
     #[nominal(1.26)]
     pub p1: f64,
@@ -5234,6 +5354,7 @@ pub struct Random199 {
 )]
 #[potential_energy(wave(0.69*x2 + 1.35))]
 #[constraint(held_x1: x1 - (0.56*sin(0.78*x2 - 0.79*x2)*cos(1.19*x2 + 0.53)) == 0)]
+#[output(place = atan2(x1, 2 + cos(x2))/2, power = 1.38*powi(v2, 2) - v2*sqrt(2 + powi(v2, 2)) - p1*v1*v2*0.38*sin(x2)/(1.50 + cos(x2)) - 1.49*v2/(1 + powi(x2, 2)), push = sin(0.63*x1)*cos(0.41*x1 - 0.52*x2)*dot(v2) + v2*ddot(x2), pull = (1.29 - 0.29*atan2(x1, 2 + cos(x1))/2)*reaction(held_x1) - push, share = pull/(1.26 + powi(reaction(held_x1), 2)))]
 pub struct Random6Whole {
     #[nominal(1.31)]
     pub p1: f64,
@@ -5282,6 +5403,7 @@ pub struct Random28Whole {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
 #[coordinates(x1, x2)]
 #[inertia(diag(1.35, (1.39 + 0.26*sin(0.60*x2)*cos(0.59*x1 - 1.29))))]
 #[forces(
@@ -5290,6 +5412,7 @@ pub struct Random28Whole {
 )]
 #[potential_energy(sin(0.87*x1)*cos(0.92*x1 - 0.84*x1))]
 #[constraint(held_x1: x1 - (sin(p1*(x2/1.25) + 0.99)) == 0)]
+#[output(place = wave(1.06*x2 - 0.55*t), power = dot(x1)*sqrt(2 + powi(dot(x2), 2)), push = sin(0.96*t - 1.27)*ddot(x1) + dot(x2)*ddot(x2), pull = (1.27 + 0.28*cos(0.59*t))*reaction(held_x1) - push, share = pull/(1.95 + powi(reaction(held_x1), 2)))]
 pub struct Random29Whole {
     #[nominal(1.20)]
     pub p1: f64,
@@ -5324,6 +5447,7 @@ pub struct Random30Whole {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
 #[coordinates(x1, x2, x3)]
 #[inputs(tau)]
 #[kinetic_energy(powi((1.11)*dot(x1) + (0.10*cos(0.98*x1))*dot(x2) + (0.40*(if x3 <= -0.06 { x1/(1 + powi(x1, 2)) } else { atan2(x2, 2 + cos(x3))/2 }))*dot(x3), 2)/2 + powi(((1.35 + 0.21*x2/(1 + powi(x2, 2))))*dot(x2) + (0.18*tan(0.80*sin(x2))/2)*dot(x3), 2)/2 + powi(((1.02 + 0.27*ln(1.60 + 0.45*cos(x2))))*dot(x3), 2)/2)]
@@ -5334,6 +5458,7 @@ pub struct Random30Whole {
 )]
 #[constraint(held_x2: x2 - (tan(0.72*sin((x3/1.25)))/2) == 0)]
 #[constraint(held_x1: x1 - (tan(0.56*sin((x3/1.25)))/2) == 0)]
+#[output(place = wave(0.99*x2 - 0.32*x2 - 1.46), power = tau*1.26, push = sin(1.02*x1)*ddot(x1) + dot(x1)*ddot(x1), pull = (1.18 - 0.24*exp(-powi(x3, 2)/2))*reaction(held_x2) - push, share = pull/(1.62 + powi(reaction(held_x2), 2)))]
 pub struct Random51Whole {
     #[nominal(0.66)]
     pub p1: f64,
@@ -5355,6 +5480,7 @@ pub struct Random51Whole {
 #[potential_energy(exp(-powi(x3, 2)/2))]
 #[constraint(held_x1: x1 - (0.52*sin(1.18*x2 - 0.21*x2 + 0.70)) == 0)]
 #[constraint(bound: 1.53*dot(x2) - 0.17*sqrt(1.50 + powi(dot(x3), 2) + powi(dot(x1), 2)) + 0.20*x1/(1 + powi(x1, 2)) == 0)]
+#[output(place = atan2(x1, 2 + cos(x3))/2, power = 0.81*1/sqrt(1.50 + powi(x1, 2)) + 1.69*powi(dot(x3), 2) + dot(x2)*sqrt(2 + powi(dot(x2), 2)), push = 0.34*sin(x1)/(1.50 + cos(x2))*ddot(x1) + dot(x1)*ddot(x1), pull = (1.14 + 0.25*atan2(x1, 2 + cos(x1))/2)*reaction(bound) - push, share = pull/(1.82 + powi(reaction(bound), 2)))]
 pub struct Random63Whole {
     #[nominal(1.20)]
     pub p1: f64,
@@ -5383,6 +5509,7 @@ pub struct Random63Whole {
 #[constraint(held_x2: x2 - (sin(1.16*(x1/1.25))*cos(0.70*(x1/1.25) - 0.40*(x1/1.25) - 0.69)) == 0)]
 #[constraint(held_x4: x4 - (wave(0.46*(x1/1.25) + 0.51*(x1/1.25))) == 0)]
 #[constraint(held_x3: x3 - (cos(0.92*(x1/1.25) + 0.46)) == 0)]
+#[output(place = (if x1 > 0.10 { atan2(x4, 2 + cos(x2))/2 } else { tan(0.61*sin(x2))/2 }), power = 1.43*powi(v3, 2) - v3*sqrt(2 + powi(v2, 2)) - 1.92*sin(p1*x4 + 0.30), push = 0.73*sin(x2)/(1.50 + cos(x1))*dot(v1) + v1*ddot(x1), pull = (1.23 - 0.31*1/sqrt(1.50 + powi(x4, 2)))*reaction(held_x4) - push, share = pull/(1.85 + powi(reaction(held_x4), 2)))]
 pub struct Random73Whole {
     #[nominal(1.38)]
     pub p1: f64,
@@ -5421,6 +5548,7 @@ pub struct Random73Whole {
 )]
 #[constraint(held_x2: x2 - (1.13*atan2(x5, 2 + cos(x1))/2) == 0)]
 #[constraint(rolling: (1.50 + 0.24*exp(-powi(x4, 2)/2))*dot(x1) - 0.28*cos(1.15*x1 + 0.44)*dot(x5) + 0.25*ln(1.60 + 0.38*cos(x5))*dot(x4) + 0.23*atan2(x3, 2 + cos(x1))/2*dot(x3) == 0)]
+#[output(place = sin(p1*x1 + 0.65), power = v4*sqrt(2 + powi(v1, 2)) + p2*x5 + 1.63*powi(v1, 2) + p2*exp(0.20*x5), push = sin(1.04*x5)*dot(v2) + v5*ddot(x5), pull = (1.08 - 0.13*powi(cos(0.83*x2 - 0.60*x5 - 1.06), 3))*reaction(rolling) - push, share = pull/(1.76 + powi(reaction(rolling), 2)))]
 pub struct Random74Whole {
     #[nominal(0.71)]
     pub p1: f64,
@@ -5486,6 +5614,7 @@ pub struct Random94Whole {
 #[constraint(held_x4: x4 - ((if (x5/1.25) >= 0.04 { bump(1.06*(x5/1.25)) } else { cos(1.04*(x5/1.25)) })) == 0)]
 #[constraint(held_x3: x3 - (sin(0.57*(x5/1.25) + 0.83*(x5/1.25))*cos(0.62*(x5/1.25))) == 0)]
 #[constraint(held_x2: x2 - (cos(1.01*(x5/1.25) - 0.23*(x5/1.25))) == 0)]
+#[output(place = sin(p1*x5 + 0.92), power = p1*exp(0.20*x4) + v5*sqrt(2 + powi(v1, 2)) + p2*v5*v4*sin(0.90*x5)*cos(0.63*x5 - 0.62), push = wave(0.84*x1 - 0.60*x2)*dot(v2) + v1*ddot(x1), pull = 1.36*reaction(held_x1) - push, share = pull/(1.30 + powi(reaction(held_x1), 2)))]
 pub struct Random95Whole {
     #[nominal(1.09)]
     pub p1: f64,
@@ -5494,6 +5623,8 @@ pub struct Random95Whole {
 }
 
 #[derive(ConstrainedSystem, Clone, Debug)]
+#[function(wave(s), derivatives = [wave_1, wave_2, wave_3])]
+#[function(bump(s), derivatives = [bump_1, bump_2, bump_3])]
 #[coordinates(x1, x2, x3, x4, x5, x6)]
 #[speeds(v1, v2, v3, v4, v5, v6)]
 #[kinematics(
@@ -5522,6 +5653,7 @@ pub struct Random95Whole {
 #[constraint(held_x1: x1 - (0.94*powi(cos(0.44*x3 - 0.75), 3)) == 0)]
 #[constraint(held_x4: x4 - (1.10*1/sqrt(1.50 + powi(x2, 2))) == 0)]
 #[constraint(bound: 1.60*v2 - 0.21*v2*v3*sin(0.45*x4 - 0.38)*cos(0.90*x5) - 0.27*cos(1.20*x6 - 0.35*x6 + 0.46) == 0)]
+#[output(place = bump(0.77*x4 - 0.65*x1), power = 1.58*powi(v6, 2) - v4*v5/(1.39 - 0.17*1/sqrt(1.50 + powi(x2, 2))) - 0.82*sin(p1*x2 - 0.76) - 0.76*v1/(1 + powi(x3, 2)), push = (if x5 <= 0.28 { atan2(x4, 2 + cos(x3))/2 } else { wave(0.62*x4 + 0.74*x1 - 0.12) })*dot(v1) + v2*ddot(x2), pull = 1.05*reaction(held_x4) - push, share = pull/(1.71 + powi(reaction(held_x4), 2)))]
 pub struct Random107Whole {
     #[nominal(1.04)]
     pub p1: f64,
@@ -5568,6 +5700,7 @@ pub struct Random138Whole {
     0,
 )]
 #[constraint(held_x2: x2 - (0.40*sin((x1/1.25))/(1.50 + cos((x1/1.25)))) == 0)]
+#[output(place = bump(0.57*x1 + 0.57), power = p1*v2*v2*0.91*sin(x2)/(1.50 + cos(x1)) + v1*sqrt(2 + powi(v1, 2)), push = bump(1.10*x1)*dot(v2) + v2*ddot(x2), pull = 1.34*reaction(held_x2) - push, share = pull/(1.66 + powi(reaction(held_x2), 2)))]
 pub struct Random139Whole {
     #[nominal(0.74)]
     pub p1: f64,
@@ -5646,6 +5779,7 @@ pub struct Random160Whole {
 )]
 #[constraint(held_x3: x3 - (1.31*sin(p3*x2 - 0.10)) == 0)]
 #[constraint(held_x1: x1 - (0.88*sin(p3*x2 + 0.53)) == 0)]
+#[output(place = sin(1.07*x3), power = 1.57*v3 + 1.15*v1/(1 + powi(x2, 2)) + v2*v2/(1.39 + 0.13*wave(0.47*x3 + 0.63*x3)) + p2*0.57, push = (if x1 >= -0.04 { sin(0.98*x3 + 0.34*x2) } else { wave(0.66*t) })*dot(v1) + v2*ddot(x2), pull = (1.32 - 0.34*(if x3 < -0.27 { ln(1.60 + 0.55*cos(x2)) } else { sin(p1*x2 + 0.55) }))*reaction(held_x3) - push, share = pull/(1.98 + powi(reaction(held_x3), 2)))]
 pub struct Random162Whole {
     #[nominal(1.39)]
     pub p1: f64,

@@ -16,6 +16,8 @@ pub const RANK: f64 = 1e-9;
 pub struct Motion {
     /// v̇.
     pub acceleration: DVector<f64>,
+    /// q̈, with a configuration.
+    pub second_rates: DVector<f64>,
     /// M v̇ − h*: all reactions together, Cᵀ λ.
     pub reaction: DVector<f64>,
     /// λ, one per declared row; of minimum norm (rows taken with unit norm) where they depend on each other. Empty with a configuration.
@@ -123,6 +125,7 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial, given: bool) -> Mo
     Motion {
         reaction: value * &acceleration - force_value,
         multipliers: DVector::from_fn(if links == 0 { m } else { 0 }, |i, _| solution[n + p + i] * row_scale[i]),
+        second_rates: DVector::from_fn(p, |j, _| solution[n + j] * scale[n + j]),
         freedom: n + p - rank,
         speeds: n + p - velocity_rank,
         condition,

@@ -42,8 +42,8 @@ impl Compared<'_> {
         let coordinates = || system.model.state_coordinates().iter().map(String::as_str);
         let mut scope = system.accelerated(t, &x, &v, &rates);
         if system.model.configuration.is_some() {
-            let error = &motion.generalised_error * self.chart.powi(2);
-            let second = known(motion.generalised.as_slice(), error.as_slice());
+            let error = &motion.second_rate_errors * self.chart.powi(2);
+            let second = known(motion.second_rates.as_slice(), error.as_slice());
             scope = scope
                 .with(coordinates(), &lift(&claim.state_coordinates))
                 .with_rates(coordinates(), &speeds(&claim.coordinate_rates))
