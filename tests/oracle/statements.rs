@@ -226,7 +226,7 @@ fn inertia(input: ParseStream<'_>, sizes: &Indices) -> Result<Vec<Vec<Option<Exp
 
 /// `name: left == right`, or a word about the equation before.
 enum Said {
-    Equation(Named, Expr, Expr),
+    Equation(Box<(Named, Expr, Expr)>),
     Word(Ident),
 }
 
@@ -238,7 +238,7 @@ impl Parse for Said {
         let name = input.parse()?;
         input.parse::<Token![:]>()?;
         match input.parse()? {
-            Expr::Binary(e) if matches!(e.op, BinOp::Eq(_)) => Ok(Self::Equation(name, *e.left, *e.right)),
+            Expr::Binary(e) if matches!(e.op, BinOp::Eq(_)) => Ok(Self::Equation(Box::new((name, *e.left, *e.right)))),
             other => Err(Error::new_spanned(other, "not an equation")),
         }
     }
@@ -251,10 +251,10 @@ fn constraints(families: &[Family<Said>], sizes: &Indices) -> Vec<Constraint> {
     let mut first = 0;
     for family in families {
         let member = |row: &Said, indices: &Indices| match row {
-            Said::Equation(name, left, right) => Some(Constraint {
-                name: name.entry(indices),
-                left: written(left, indices),
-                right: written(right, indices),
+            Said::Equation(row) => Some(Constraint {
+                name: row.0.entry(indices),
+                left: written(&row.1, indices),
+                right: written(&row.2, indices),
                 level: Level::Position,
                 redundant: false,
             }),
