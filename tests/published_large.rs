@@ -18,7 +18,6 @@ use bicycle::Bicycle;
 use bricard::Bricard;
 use chains::{TenPendulums, TwentyPendulums};
 use holonomy::prelude::*;
-use holonomy::simulate::Charts;
 use serde_json::Value;
 use support::golden::{assert_close, assert_close_at, list, numbers, parse, picked, text};
 use support::running::{Running, dense, entries};
@@ -201,12 +200,12 @@ fn bricards_mechanism() {
     let rows = list(&case(&golden, "library_run")["expected"]);
     let times = times(rows);
     let of = |row: &Value| (numbers(&row["joint_angles_1_to_5"]), numbers(&row["joint_rates"]));
-    // from the second row: where all angles vanish nothing tells how large the terms are that cancel in the loop's rows
-    let (angles, rates) = of(&rows[1]);
+    let (angles, rates) = of(&rows[0]);
     let start = Vector::from_fn(|i| angles.get(i).copied().unwrap_or(rates[0]));
-    let simulation = mechanism.simulate(start).velocities(Vector::from_fn(|i| rates[i])).starting_at(times[1]);
-    let run = simulation.charts(Charts::General).tolerance(1e-13, 1e-13).until(times[rows.len() - 1]);
+    let simulation = mechanism.simulate(start).velocities(Vector::from_fn(|i| rates[i])).starting_at(times[0]);
+    let run = simulation.tolerance(1e-13, 1e-13).until(times[rows.len() - 1]);
     let run = run.unwrap_or_else(|stop| panic!("stopped at {:?}: {}", stop.trajectory.last().0, stop.error));
+    println!("{:?}", run.statistics());
     for row in rows {
         let place = format!("at {}", row["t"]);
         let (angles, rates) = of(row);
@@ -217,9 +216,6 @@ fn bricards_mechanism() {
         let reaction = equations.constraint_matrix.transpose() * lambda;
         assert_close(&place, reaction.as_slice(), &numbers(&row["generalised_reaction"]), AT_A_STATE);
         let t = number(row, "t");
-        if t < times[1] {
-            continue;
-        }
         let (found, v) = (run.at(t).expect("a time of the run"), run.velocities_at(t).expect("a time of the run"));
         // the angles swing between 0 and π, the rates reach 2.2
         for (found, expected) in entries(&found)[..5].iter().chain(&entries(&v)).zip(angles.iter().chain(&rates)) {

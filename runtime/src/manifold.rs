@@ -4,9 +4,10 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::carriers::{Carriers, Frame};
+use crate::scalar::Measured;
 use crate::tangent::Tangent;
 use crate::vector::convert;
-use crate::{ConstrainedSystem, Dual, Error, Prepared, Scalar, Vector};
+use crate::{ConstrainedSystem, Dual, Error, Prepared, Vector};
 
 /// A residual below this many units of rounding of its terms counts as zero.
 pub(crate) const ROUNDING: f64 = 8.0 * f64::EPSILON;
@@ -26,12 +27,12 @@ pub(crate) fn lift<M: ConstrainedSystem>(model: &Prepared<M>) -> Result<Prepared
     Prepared::with_parameters(model.system().clone(), parameters)
 }
 
-/// Which position or velocity rows a caller measures, over dual numbers.
+/// Which position or velocity rows a caller measures.
 pub(crate) type Rows<'a, M, R> = &'a dyn Fn(
-    &Prepared<M, Dual>,
-    Dual,
-    &<M as ConstrainedSystem>::Coordinates<Dual>,
-    &<M as ConstrainedSystem>::Velocities<Dual>,
+    &Prepared<M, Measured>,
+    Measured,
+    &<M as ConstrainedSystem>::Coordinates<Measured>,
+    &<M as ConstrainedSystem>::Velocities<Measured>,
 ) -> R;
 
 /// The smallest magnitude with which an entry of a vector counts in the size of terms.
@@ -43,52 +44,24 @@ fn floor<V: Vector<f64>>(v: &V) -> f64 {
     if reach.is_finite() { NOISE.max(SMALLEST * reach) } else { NOISE }
 }
 
-/// The size of each row's terms: Σ |∂row/∂y| |y| over time, coordinates, velocities and parameters.
+/// The size of each row's terms, of which rounding errors of the row are a few ε.
 ///
-/// It depends on units only where nearly everything is zero, and rounding errors of the row are a few ε of it.
-pub(crate) fn term_sizes<M: ConstrainedSystem, R: Vector<Dual>>(
+/// It depends on units only where nearly everything is zero.
+pub(crate) fn term_sizes<M: ConstrainedSystem, R: Vector<Measured>>(
     model: &Prepared<M>,
     t: f64,
     x: &M::Coordinates<f64>,
     v: &M::Velocities<f64>,
     rows: Rows<'_, M, R>,
 ) -> Result<Vec<f64>, Error> {
-    let dual = lift(model)?;
-    let seeded = |at: Option<usize>, least: f64| {
-        move |i: usize, value: f64| Dual::new(value, if at == Some(i) { value.abs().max(least) } else { 0.0 })
-    };
+    let parameters = convert(model.parameters(), |_, value| Measured::given(value, 0.0));
+    let measured = Prepared::with_parameters(model.system().clone(), parameters)?;
     let (least_x, least_v) = (floor(x), floor(v));
-    let plain_x: M::Coordinates<Dual> = convert(x, seeded(None, 0.0));
-    let plain_v: M::Velocities<Dual> = convert(v, seeded(None, 0.0));
-    let mut sizes = Vec::new();
-    let mut collect = |row: R| {
-        let array: R::Array = row.into();
-        sizes.resize(array.as_ref().len(), 0.0);
-        for (size, entry) in sizes.iter_mut().zip(array.as_ref()) {
-            if entry.derivative.is_finite() {
-                *size += entry.derivative.abs();
-            }
-        }
-    };
-    collect(rows(&dual, Dual::new(t, t), &plain_x, &plain_v));
-    for j in 0..length(x) {
-        collect(rows(&dual, Dual::constant(t), &convert(x, seeded(Some(j), least_x)), &plain_v));
-    }
-    for j in 0..length(v) {
-        collect(rows(&dual, Dual::constant(t), &plain_x, &convert(v, seeded(Some(j), least_v))));
-    }
-    for j in 0..length(model.parameters()) {
-        let parameters = convert(model.parameters(), seeded(Some(j), 0.0));
-        let dual = Prepared::with_parameters(model.system().clone(), parameters)?;
-        collect(rows(&dual, Dual::constant(t), &plain_x, &plain_v));
-    }
-    Ok(sizes)
-}
-
-/// The number of entries of a vector.
-pub(crate) fn length<T: Scalar, V: Vector<T>>(v: &V) -> usize {
-    let array: V::Array = (*v).into();
-    array.as_ref().len()
+    let x = convert(x, |_, value| Measured::given(value, least_x));
+    let v = convert(v, |_, value| Measured::given(value, least_v));
+    let array: R::Array = rows(&measured, Measured::given(t, 0.0), &x, &v).into();
+    let known = |size: f64| if size.is_finite() { size } else { 0.0 };
+    Ok(array.as_ref().iter().map(|row| known(row.size)).collect())
 }
 
 /// A residual relative to the size of its terms. NaN counts as infinite.

@@ -1,6 +1,7 @@
 //! The numbers that the equations are evaluated over.
 
 mod dual;
+mod measured;
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -8,6 +9,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use crate::math::{double, single};
 
 pub use dual::Dual;
+pub(crate) use measured::Measured;
 
 /// A number type for the emitted equations: `f64`, `f32`, dual numbers, or a type of your own.
 ///

@@ -24,7 +24,7 @@ impl Declaration {
         conditions.0
     }
 
-    /// Every expression of the mechanics.
+    /// Every expression of the mechanics; outputs, which may ask for accelerations and reactions, are none of it.
     fn expressions(&self) -> Vec<&Expr> {
         let rates = self.rates.iter().chain(&self.speeds_by_rates).flatten();
         let energies = self.kinetic_energy.iter().chain(&self.potential_energy);
@@ -34,7 +34,6 @@ impl Declaration {
         let lists = self.charts.iter().flatten().map(|chosen| &chosen.value);
         rates
             .chain(lists)
-            .chain(self.outputs.iter().map(|(_, e)| e))
             .chain(self.inertia.iter().flatten().flatten())
             .chain(energies)
             .chain(&self.forces)

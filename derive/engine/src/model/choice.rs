@@ -22,9 +22,10 @@ pub(super) fn independent(
     let rates = Rates::of(kinematics, configuration, vocabulary);
     let combinations = combinations(&rates, configuration, vocabulary, diagnostics);
     let lists = declarations.independent.iter();
+    let mut read = 0;
     lists
         .map(|written| Independent {
-            speeds: list(&written.entries, &rates, &combinations, vocabulary, diagnostics),
+            speeds: list(&written.entries, &rates, (&combinations, &mut read), vocabulary, diagnostics),
             span: written.span,
         })
         .collect()
@@ -81,11 +82,11 @@ fn reading(graph: &mut Graph, expr: Expr, carriers: &[Symbol]) -> Result<(Vec<Ex
     }
 }
 
-/// One list of independent speeds.
+/// One list of independent speeds; of the combinations of all lists so many were `read` before.
 fn list(
     entries: &[IndependentEntry],
     rates: &Rates,
-    combinations: &[Option<IndependentSpeed>],
+    (combinations, read): (&[Option<IndependentSpeed>], &mut usize),
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Vec<IndependentSpeed> {
@@ -97,9 +98,11 @@ fn list(
         };
         let written = ident.to_string();
         let place = quantity.map_or(ident.into(), Quantity::place);
+        let this = *read;
+        *read += usize::from(quantity.is_none());
         let found = match (quantity, vocabulary.names.get(&written)) {
             // Its name is taken, which was reported, or what it stands for was.
-            (None, meaning) if !matches!(meaning, Some(Meaning::Combination(_))) => continue,
+            (None, meaning) if meaning != Some(Meaning::Combination(this)) => continue,
             (Some(Quantity::Name(_)) | None, Some(Meaning::Combination(i))) => match &combinations[i] {
                 Some(speed) => Ok(IndependentSpeed { place, ..speed.clone() }),
                 None => continue,
