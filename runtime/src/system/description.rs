@@ -127,7 +127,8 @@ pub struct MultiplierInfo {
 ///
 /// let [height, ratio, steepness] = Lift::MODEL.outputs else { panic!("three outputs") };
 /// assert_eq!((height.level, ratio.level), (Level::Position, Level::Acceleration));
-/// assert!(!ratio.inputs && steepness.divisors.is_empty());
+/// assert!(!ratio.inputs && ratio.divisors.is_empty(), "{:?}", ratio.divisors);
+/// assert_eq!(steepness.divisors, ["t"]);
 /// # }
 /// ```
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
