@@ -5,7 +5,8 @@
 //! | [`lagrange`] | the inertia terms of h* from the kinetic energy |
 //! | [`constraints`] | rows differentiated to C v̇ + c0* = 0 (2.5), (2.6) |
 //! | [`dependence`] | which rows are independent, which repeat others, which contradict |
-//! | [`elimination`] | C_d⁻¹ by Gauss-Jordan on the arena, pivots chosen and recorded |
+//! | [`elimination`] | C_d⁻¹ by Gauss-Jordan on the arena, pivots recorded |
+//! | [`pivots`] | which entry to divide by next |
 //! | [`carriers`] | partial velocities of a configuration (4.9), and the rows that still bind |
 //! | [`tangent`] | the basis D and the bias a_u, by pivots |
 //! | [`combined`] | the same for speeds that are combinations of the carriers |
@@ -45,6 +46,7 @@ pub mod lagrange;
 pub(crate) mod messages;
 pub mod motion;
 pub mod outputs;
+pub mod pivots;
 pub mod project;
 pub mod reactions;
 pub mod start;

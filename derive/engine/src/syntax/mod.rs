@@ -10,6 +10,7 @@ mod entries;
 mod expression;
 mod families;
 mod fields;
+mod forms;
 mod integer;
 mod nesting;
 mod number;
