@@ -14,6 +14,7 @@ mod guards;
 mod inputs;
 mod kernel;
 mod orientation;
+mod readings;
 mod simulation;
 mod stages;
 mod start;
@@ -26,9 +27,10 @@ pub use charts::{Chart, Charts, FLAT, STEEP};
 pub use events::{Event, Occurrence};
 pub use guards::SINGULAR;
 pub use inputs::{InputSource, NoInputs, Sampled};
+pub use readings::Residuals;
 pub use simulation::Simulation;
 pub use start::START_TOLERANCE;
-pub use trajectory::{Interrupted, Residuals, Statistics, Trajectory};
+pub use trajectory::{Interrupted, Statistics, Trajectory};
 
 /// How the equations are integrated. All methods are explicit Runge-Kutta methods.
 ///

@@ -12,6 +12,9 @@ use crate::math::double::sqrt;
 /// Pivots of D M Dᵀ below this fraction of the largest entry count as zero.
 const INDEFINITE: f64 = 1e-13;
 
+/// Rows with weights below this do not take part in a combination.
+const NOT_TAKING_PART: f64 = 1e-6;
+
 /// Why there is no unique solution.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Loss {
@@ -40,6 +43,8 @@ pub(crate) struct Tangent {
     /// Q, n × n by rows: the first `rank` columns span the rows of C, the others are Dᵀ.
     basis: Vec<f64>,
     rank: usize,
+    /// The last pivot of the decomposition: the smallest sine of an angle between a row and those before it; one without rows.
+    pub(crate) least: f64,
     /// The lower half of the Cholesky factor of D M Dᵀ, k × k by rows.
     factor: Vec<f64>,
     work: Vec<f64>,
@@ -123,6 +128,7 @@ impl Tangent {
             order: (0..m).collect(),
             basis: vec![0.0; n * n],
             rank: 0,
+            least: 1.0,
             factor: vec![0.0; n * n],
             work: vec![0.0; n * 3],
             change: vec![0.0; n],
@@ -192,7 +198,7 @@ impl Tangent {
             self.basis[j * n + j] = 1.0;
         }
         self.order.iter_mut().enumerate().for_each(|(i, row)| *row = i);
-        self.rank = 0;
+        (self.rank, self.least) = (0, 1.0);
         let most = rank.unwrap_or(n.min(m)).min(n);
         while self.rank < most {
             let j = self.rank;
@@ -206,12 +212,13 @@ impl Tangent {
             }
             if largest <= dependent || largest.is_nan() {
                 return match rank {
-                    Some(_) => Err(Loss::Rank { rows: self.partners(), pivot: largest }),
+                    Some(_) => Err(Loss::Rank { rows: self.partners(j, NOT_TAKING_PART), pivot: largest }),
                     None => Ok(()),
                 };
             }
             self.order.swap(j, at);
             self.reflect(self.order[j], j, largest);
+            self.least = largest;
             self.rank += 1;
         }
         Ok(())
@@ -240,9 +247,14 @@ impl Tangent {
         }
     }
 
-    /// The first row that is left over, and the rows of which it is a combination.
-    fn partners(&self) -> Vec<usize> {
-        let (n, r) = (self.n, self.rank);
+    /// The row that is nearest to a combination of others, and those.
+    pub(crate) fn weakest(&self) -> Vec<usize> {
+        self.partners(self.rank.saturating_sub(1), NOT_TAKING_PART.max(self.least))
+    }
+
+    /// The row at a place of the order, and the rows before it of which it is a combination, but for what is left of it there.
+    fn partners(&self, r: usize, negligible: f64) -> Vec<usize> {
+        let n = self.n;
         let Some(&last) = self.order.get(r) else {
             return Vec::new();
         };
@@ -254,7 +266,9 @@ impl Tangent {
             }
         }
         let mut rows = vec![last];
-        rows.extend(self.order.iter().zip(&weights).filter(|(_, weight)| weight.abs() > 1e-6).map(|(row, _)| *row));
+        rows.extend(
+            self.order.iter().zip(&weights).filter(|(_, weight)| weight.abs() > negligible).map(|(row, _)| *row),
+        );
         rows.sort_unstable();
         rows
     }

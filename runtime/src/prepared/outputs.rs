@@ -45,6 +45,31 @@ impl<M: ConstrainedSystem, T: Scalar> Prepared<M, T> {
     }
 
     /// The outputs for the carriers w, their rates and the multipliers; of `s` the coordinates are read.
+    ///
+    /// ```
+    /// # #[cfg(feature = "derive")] fn main() -> Result<(), holonomy::Error> {
+    /// use holonomy::{ConstrainedSystem, State};
+    ///
+    /// /// A mass on the floor, and the power that it gains.
+    /// #[derive(ConstrainedSystem, Clone)]
+    /// #[coordinates(x, y)]
+    /// #[inertia(diag(m, m))]
+    /// #[forces(0, -m*g)]
+    /// #[constraint(floor: y == 0)]
+    /// #[output(load = reaction(floor), power = m*dot(x)*ddot(x))]
+    /// struct Mass {
+    ///     m: f64,
+    ///     g: f64,
+    /// }
+    ///
+    /// let mass = Mass { m: 2.0, g: 10.0 }.prepare()?;
+    /// let (velocities, rates, reactions) = ([3.0, 0.0], [0.5, 0.0], [20.0].into());
+    /// let outputs = mass.carried_outputs(0.0, &State::<Mass>::default(), (&velocities, &rates), &reactions, &[]);
+    /// assert_eq!((outputs.load, outputs.power), (20.0, 3.0));
+    /// # Ok(())
+    /// # }
+    /// # #[cfg(not(feature = "derive"))] fn main() {}
+    /// ```
     #[inline]
     pub fn carried_outputs(
         &self,

@@ -102,18 +102,24 @@ impl<M: ConstrainedSystem> Quality<M> {
         sqrt(square)
     }
 
-    /// The flattest emitted chart, if one is flat.
-    pub(super) fn flattest(&self, model: &Prepared<M>, t: f64, s: &M::State<f64>) -> Option<usize> {
-        let charts = 0..M::MODEL.charts.len().max(1);
+    /// The flattest emitted chart other than the one that is left, if one is flat.
+    pub(super) fn flattest(
+        &self,
+        model: &Prepared<M>,
+        left: Option<Chart>,
+        t: f64,
+        s: &M::State<f64>,
+    ) -> Option<usize> {
+        let charts = (0..M::MODEL.charts.len().max(1)).filter(|chart| left != Some(Chart::Emitted(*chart)));
         let judged = charts.map(|chart| (chart, self.steepness(model, chart, t, s)));
         let flat = judged.filter(|(_, steepness)| *steepness < FLAT);
         flat.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(chart, _)| chart)
     }
 
-    /// Whether one of several emitted charts is flat, and flatter than this.
-    pub(super) fn has_flatter(&self, model: &Prepared<M>, t: f64, s: &M::State<f64>, than: f64) -> bool {
-        let charts = M::MODEL.charts.len();
-        charts > 1 && (0..charts).any(|chart| self.steepness(model, chart, t, s) < than.min(FLAT))
+    /// Whether an emitted chart other than this one is flat, and flatter than that.
+    pub(super) fn has_flatter(&self, model: &Prepared<M>, here: usize, t: f64, s: &M::State<f64>, than: f64) -> bool {
+        let mut others = (0..M::MODEL.charts.len()).filter(|chart| *chart != here);
+        others.any(|chart| self.steepness(model, chart, t, s) < than.min(FLAT))
     }
 }
 

@@ -84,6 +84,7 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
             baumgarte: self.baumgarte,
             events: self.events,
             progress: self.progress,
+            strength: None,
         };
         Ok((plan, course))
     }

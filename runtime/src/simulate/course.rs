@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::charts::{Chart, Charts, Quality, STEEP};
 use super::emitted::Emitted;
-use super::equations::{Baumgarte, Equations};
+use super::equations::{Baumgarte, Equations, Strength};
 use super::events::{Event, Events, Verdict};
 use super::flow::Flow;
 use super::general::{General, point};
@@ -31,6 +31,8 @@ pub(super) struct Course<'a, M: ConstrainedSystem, I> {
     pub(super) baumgarte: Baumgarte,
     pub(super) events: Vec<Event<'a, M>>,
     pub(super) progress: Option<Box<dyn FnMut(f64) + 'a>>,
+    /// What the rows of C were at best, as far as the run has looked at it.
+    pub(super) strength: Option<Strength>,
 }
 
 impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
@@ -51,7 +53,10 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
         if let Some(quality) = &quality
             && quality.steepness(self.model, 0, plan.start, &standing.0) > STEEP
         {
-            chart = better(quality, self.model, plan.start, &standing.0);
+            chart = better(quality, self.model, None, plan.start, &standing.0);
+        }
+        if quality.is_some() {
+            self.strength = self.strength(plan.start, &standing)?;
         }
         let mut events = Events::new(core::mem::take(&mut self.events));
         events.start(plan.start, &standing.0);
@@ -77,7 +82,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
                     Err(error) => break Err(error),
                 },
                 (_, Ok(Exit::Event(_))) => break Ok(()),
-                (Some(quality), Ok(Exit::Leaves)) => better(quality, self.model, run.t, &standing.0),
+                (Some(quality), Ok(Exit::Leaves)) => better(quality, self.model, Some(chart), run.t, &standing.0),
                 (Some(_), Err(error)) if is_of_chart::<M>(chart, &error) => Chart::General,
                 (None, Ok(Exit::Leaves)) => chart,
                 (_, Err(error)) => break Err(error),
@@ -116,6 +121,14 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
         let mut guards = M::MODEL.charts.iter().flat_map(|chart| chart.guards).chain(M::MODEL.guards);
         let changes = self.charts == Charts::Change && guards.any(of_chart);
         if changes { Quality::new(self.model).map(Some) } else { Ok(None) }
+    }
+
+    /// The strength of the rows of C at the start, where they have one: a start without rank is judged where the run needs it.
+    fn strength(&mut self, t: f64, (s, v): &Standing<M>) -> Result<Option<Strength>, Error> {
+        let mut equations = Equations::new(self.model)?;
+        let w = equations.carriers(self.model, t, s, v);
+        let regular = equations.solve(self.model, t, s, &w, &self.source.inputs(t, s), None).is_ok();
+        Ok((regular && equations.accept(t).is_ok()).then_some(equations.strength))
     }
 
     /// The steps in one chart.
@@ -157,6 +170,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
             }
             Chart::General => {
                 let mut equations = Equations::new(model)?;
+                equations.strength = self.strength.clone().unwrap_or(equations.strength);
                 let w = equations.carriers(model, t, &s, &v);
                 let mut flow = General {
                     model,
@@ -174,6 +188,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
                 if run.t != t {
                     *standing = flow.view(run.t, &y);
                 }
+                self.strength = Some(equations.strength);
                 result
             }
         }
@@ -196,9 +211,15 @@ fn crossing<M: ConstrainedSystem>(
     Ok(Some(equations))
 }
 
-/// The flattest of the emitted charts, or the general one.
-fn better<M: ConstrainedSystem>(quality: &Quality<M>, model: &Prepared<M>, t: f64, s: &M::State<f64>) -> Chart {
-    quality.flattest(model, t, s).map_or(Chart::General, Chart::Emitted)
+/// The flattest of the emitted charts other than this one, or the general one.
+fn better<M: ConstrainedSystem>(
+    quality: &Quality<M>,
+    model: &Prepared<M>,
+    here: Option<Chart>,
+    t: f64,
+    s: &M::State<f64>,
+) -> Chart {
+    quality.flattest(model, here, t, s).map_or(Chart::General, Chart::Emitted)
 }
 
 /// Whether an error is the breakdown of an emitted chart, which the mechanism does not share.

@@ -18,8 +18,24 @@ const NEGLIGIBLE: f64 = 1e-12;
 /// Rows whose directions a step apart have this cosine, in magnitude, are the same or opposite.
 const OPPOSITE: f64 = 0.9;
 
+/// Rows depend on each other, as far as can be told, where their smallest pivot has fallen to this fraction of its largest value.
+///
+/// Near a point where two branches of a mechanism meet f is about the product of the distances from them. At the distance ρ along
+/// one, rounding of f by ε is a distance ε/ρ from it, and a turn of the row by ε/ρ²: here by a millionth. A run that went on would
+/// choose its branch, and lose energy, by rounding.
+const LOST: f64 = 1e-5;
+
 /// α and β of Baumgarte's stabilisation.
 pub(super) type Baumgarte = Option<(f64, f64)>;
+
+/// How well the rows of C told directions apart, at best: with it is compared how well they do.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Strength {
+    /// The largest lengths of the rows.
+    rows: Vec<f64>,
+    /// The largest value of the smallest pivot of their decomposition, scaled to one length.
+    pivot: f64,
+}
 
 /// Room for the general form: C B ẇ + c0* + C a = 0 and D Bᵀ (M (B ẇ + a) − h*) = 0 with v = B w + v_p, v̇ = B ẇ + a.
 pub(super) struct Equations<M: ConstrainedSystem> {
@@ -27,11 +43,12 @@ pub(super) struct Equations<M: ConstrainedSystem> {
     tangent: Tangent,
     /// C by rows.
     rows: Vec<f64>,
-    /// The lengths of its rows, the largest seen.
-    longest: Vec<f64>,
     bias: Vec<f64>,
     forces: Vec<f64>,
     orientation: Orientation,
+    /// The lengths of the rows at the last point.
+    lengths: Vec<f64>,
+    pub(super) strength: Strength,
     /// The rows of C at the last point at which a crossing was looked for.
     before: Option<Span>,
     /// ẇ of the last point.
@@ -46,10 +63,11 @@ impl<M: ConstrainedSystem> Equations<M> {
             frame,
             tangent: Tangent::new(c, m),
             rows: vec![0.0; m * n],
-            longest: vec![0.0; m],
+            lengths: vec![0.0; m],
             bias: vec![0.0; m],
             forces: vec![0.0; c],
             orientation: Orientation::default(),
+            strength: Strength { rows: vec![0.0; m], pivot: 0.0 },
             before: None,
             rates: vec![0.0; c],
         })
@@ -126,7 +144,7 @@ impl<M: ConstrainedSystem> Equations<M> {
         if self.tangent.rows.iter().chain(&self.tangent.mass).any(|entry| !entry.is_finite()) {
             return Err(Error::NonFinite { name: "C or M" });
         }
-        self.lengths(t)?;
+        self.measure(t)?;
         let rank = self.frame.size.1.saturating_sub(M::MODEL.reduced_speeds.len());
         self.tangent.decompose(Some(rank), SINGULAR).map_err(|loss| self.loss(loss, t))?;
         self.tangent.solve(&self.bias, &self.forces, &mut self.rates);
@@ -138,8 +156,26 @@ impl<M: ConstrainedSystem> Equations<M> {
     pub(super) fn accept(&mut self, t: f64) -> Result<(), Error> {
         match self.orientation.accept(t, &self.tangent) {
             Some(rows) => Err(self.loss(Loss::Rank { rows, pivot: 0.0 }, t)),
-            None => Ok(()),
+            None => {
+                self.strength.pivot = self.strength.pivot.max(self.tangent.least);
+                self.weakest(t, LOST).map_or(Ok(()), Err)
+            }
         }
+    }
+
+    /// The row that has become shortest, or the rows that are nearest to depending on each other, at the last point, if what is
+    /// left of them is below this fraction of what there was.
+    pub(super) fn weakest(&self, t: f64, below: f64) -> Option<Error> {
+        // Rows of velocities and accelerations are not gradients of what they bind: no branches meet where they are short.
+        let positions = (0..self.lengths.len()).filter(|row| M::MODEL.rows[*row].level == Level::Position);
+        let lengths = positions.map(|row| (row, self.lengths[row] / self.strength.rows[row]));
+        let shortest = lengths.min_by(|a, b| a.1.total_cmp(&b.1));
+        let pivot = self.tangent.least / self.strength.pivot.max(self.tangent.least);
+        let (rows, pivot) = match shortest {
+            Some((row, length)) if length < pivot => (vec![row], length),
+            _ => (self.tangent.weakest(), pivot),
+        };
+        (pivot < below).then(|| self.loss(Loss::Rank { rows, pivot }, t))
     }
 
     /// Whether a loss of rank lies between this point and the last one that was looked at. Unlike in the general chart nothing is
@@ -186,14 +222,16 @@ impl<M: ConstrainedSystem> Equations<M> {
     }
 
     /// A row that has become short has lost its direction: the gradient of its constraint vanishes.
-    fn lengths(&mut self, t: f64) -> Result<(), Error> {
+    fn measure(&mut self, t: f64) -> Result<(), Error> {
         let c = self.frame.size.1;
-        for i in 0..self.longest.len() {
+        for i in 0..self.lengths.len() {
             let row = &self.tangent.rows[i * c..(i + 1) * c];
             let length = row.iter().fold(0.0, |longest: f64, entry| longest.max(entry.abs()));
-            self.longest[i] = self.longest[i].max(length);
-            if length <= SINGULAR * self.longest[i] && self.longest[i] > 0.0 {
-                let pivot = length / self.longest[i];
+            self.lengths[i] = length;
+            let longest = &mut self.strength.rows[i];
+            *longest = longest.max(length);
+            if length <= SINGULAR * *longest && *longest > 0.0 {
+                let pivot = length / *longest;
                 return Err(self.loss(Loss::Rank { rows: vec![i], pivot }, t));
             }
         }

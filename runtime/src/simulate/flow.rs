@@ -1,7 +1,7 @@
 //! What a run integrates: a rate over points of a fixed dimension, whatever coordinates these points are.
 
 use super::charts::Chart;
-use super::trajectory::Residuals;
+use super::readings::Residuals;
 use crate::{ConstrainedSystem, Error};
 
 /// A point y of a flow: the state of an emitted chart, or the coordinates and carriers of the general chart.

@@ -6,11 +6,16 @@ use super::equations::{Baumgarte, Equations};
 use super::flow::{Flow, Point};
 use super::guards::{Watch, figures};
 use super::inputs::InputSource;
-use super::trajectory::{Residuals, view};
+use super::readings::Residuals;
+use super::trajectory::view;
 use crate::carriers::StateArray;
 use crate::drift::Drift;
 use crate::manifold::Manifold;
 use crate::{ConstrainedSystem, Error, Prepared, Vector};
+
+/// A smallest pivot of C below this fraction of its largest value may have magnified rounding errors: with its square in the
+/// velocities, with its cube in their rates, where the rows are those of positions.
+const WORN: f64 = 0.01;
 
 /// The array behind a model's carriers.
 pub(super) type CarrierArray<M> = <<M as ConstrainedSystem>::Carriers<f64> as Vector<f64>>::Array;
@@ -63,14 +68,12 @@ pub(super) struct General<'r, M: ConstrainedSystem, I> {
 }
 
 impl<M: ConstrainedSystem, I: InputSource<M>> General<'_, M, I> {
-    /// Names the guard of the first chart that vanished with the rank, or changed its sign.
-    fn with_guard(&self, error: Error, t: f64, guards: &M::ChartGuards<f64>) -> Error {
-        let array = (*guards).into();
-        let judged = || self.watch.check(t, array.as_ref()).err().and_then(|error| error.guard());
+    /// Names the pivot of the first chart that vanishes with the rank.
+    fn with_guard(&self, error: Error, guards: &M::ChartGuards<f64>) -> Error {
         match error {
             Error::Dependent { rows, value, guard: None, time } => {
-                let suspect = self.watch.suspect(t, array.as_ref()).and_then(|error| error.guard());
-                Error::Dependent { rows, value, guard: suspect.or_else(judged), time }
+                let guard = self.watch.of_rows((*guards).into().as_ref(), &rows);
+                Error::Dependent { rows, value, guard, time }
             }
             error => error,
         }
@@ -99,7 +102,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for General<'_, M, I> {
             }
             Err(error) => {
                 (0..rate.len()).for_each(|i| *rate.get_mut(i) = f64::NAN);
-                self.failure = Some(self.with_guard(error, t, &guards));
+                self.failure = Some(self.with_guard(error, &guards));
             }
         }
         (rate, guards)
@@ -114,7 +117,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for General<'_, M, I> {
 
     fn judge(&mut self, t: f64, guards: &Self::Guards) -> Result<(), Error> {
         self.judge_stage(t, guards)?;
-        self.equations.accept(t).map_err(|error| self.with_guard(error, t, guards))
+        self.equations.accept(t).map_err(|error| self.with_guard(error, guards))
     }
 
     fn passed(&mut self, _: f64, _: &Self::Point) -> Result<(), Error> {
@@ -155,7 +158,9 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for General<'_, M, I> {
     }
 
     fn leaves(&mut self, t: f64, y: &Self::Point, _: &Self::Guards) -> bool {
-        self.quality.is_some_and(|quality| quality.flattest(self.model, t, &y.state.into()).is_some())
+        // All charts lose their pivots with the rank, also those that look flat there.
+        self.equations.weakest(t, WORN).is_none()
+            && self.quality.is_some_and(|quality| quality.flattest(self.model, None, t, &y.state.into()).is_some())
     }
 
     fn strictness(&self, _: &Self::Guards) -> f64 {

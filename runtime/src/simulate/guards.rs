@@ -94,13 +94,21 @@ impl<M: ConstrainedSystem> Watch<M> {
     }
 
     /// Magnitude, change of sign and finiteness of the guards of a state.
+    ///
+    /// A pivot of D M Dᵀ is divided by those of the chart, and may vanish before them; the chart's is then the one to name.
     pub(super) fn check(&self, time: f64, guards: &[f64]) -> Result<(), Error> {
         let watched = self.largest.iter().zip(&self.negative);
         for ((info, &value), (largest, negative)) in self.infos.iter().zip(guards).zip(watched) {
             // Also true where the guard is not a number.
             let vanished = !(value.abs() > SINGULAR * *largest && value.is_finite());
             match info.kind {
-                GuardKind::Positive if !vanished && value < 0.0 => {
+                GuardKind::Positive if vanished || value < 0.0 => {
+                    if let Some(cause) = self.weakest_of_chart(time, guards, SUSPECT) {
+                        return Err(cause);
+                    }
+                    if vanished {
+                        return Err(Error::ChartSingularity { guard: info.name, value, time });
+                    }
                     return Err(Error::Indefinite { pivot: info.name, value, time: Some(time) });
                 }
                 GuardKind::Pivot if (value < 0.0) != *negative => {
@@ -137,16 +145,27 @@ impl<M: ConstrainedSystem> Watch<M> {
 
     /// The guard that has come nearest to zero, if it is near enough to be the reason for a breakdown.
     pub(super) fn suspect(&self, time: f64, guards: &[f64]) -> Option<Error> {
-        self.nearest(time, guards, |_| true)
+        self.weakest_of_chart(time, guards, SUSPECT).or_else(|| self.nearest(time, guards, SUSPECT, |_| true))
     }
 
     /// The same among the pivots of the kinematics.
     pub(super) fn suspect_shared(&self, time: f64, guards: &[f64]) -> Option<Error> {
-        self.nearest(time, guards, |info| info.kind == GuardKind::Pivot && !of_chart(info))
+        self.nearest(time, guards, SUSPECT, |info| info.kind == GuardKind::Pivot && !of_chart(info))
     }
 
-    fn nearest(&self, time: f64, guards: &[f64], counts: impl Fn(&GuardInfo) -> bool) -> Option<Error> {
-        let mut smallest = SUSPECT;
+    /// The same among the chart's own guards, below a fraction.
+    pub(super) fn weakest_of_chart(&self, time: f64, guards: &[f64], below: f64) -> Option<Error> {
+        self.nearest(time, guards, below, of_chart)
+    }
+
+    /// The pivot of one of these rows that has come nearest to zero: the one that vanishes where the rows lose their rank.
+    pub(super) fn of_rows(&self, guards: &[f64], rows: &[&str]) -> Option<&'static str> {
+        let takes_part = |info: &GuardInfo| of_chart(info) && info.rows.iter().any(|row| rows.contains(row));
+        self.nearest(0.0, guards, f64::INFINITY, takes_part).and_then(|error| error.guard())
+    }
+
+    fn nearest(&self, time: f64, guards: &[f64], below: f64, counts: impl Fn(&GuardInfo) -> bool) -> Option<Error> {
+        let mut smallest = below;
         let mut found = None;
         for ((info, &value), largest) in self.infos.iter().zip(guards).zip(&self.largest) {
             let ratio = value.abs() / largest;

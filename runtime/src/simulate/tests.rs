@@ -31,6 +31,7 @@ fn run<const S: usize>(tableau: &'static Tableau<S>, pace: Pace) -> Trajectory<O
         baumgarte: None,
         events: Vec::new(),
         progress: None,
+        strength: None,
     };
     let plan = Plan { start: 0.0, end: END, pace, every: None, dense: true, max_steps: 1_000_000 };
     course.run(tableau, &plan, &mut trajectory).unwrap();
