@@ -7,7 +7,7 @@ mod support;
 
 use claims::compiled::{claim, other_claim};
 use claims::states::{Point, random_state};
-use holonomy::{ConstrainedSystem, Dual, Prepared, Vector};
+use holonomy::{ConstrainedSystem, Dual, Error, Prepared, Vector};
 use oracle::{Claim, Declaration, Report, System, check, read_models};
 use registry::every_model;
 use std::collections::BTreeSet;
@@ -63,12 +63,19 @@ fn energy_rate<M: ConstrainedSystem>(model: &Prepared<M>, claim: &Claim) -> Opti
     Some(dual.energy(Dual::variable(claim.t), &state).derivative.abs() / (power + claim.kinetic_energy + f64::EPSILON))
 }
 
-/// The largest change of the energy in a run, as a part of the energies that are exchanged; a run that leaves its chart counts so far.
+/// The largest change of the energy in a run, as a part of the energies that are exchanged; one that a loss of rank ends counts so far.
 fn energy_drift<M: ConstrainedSystem>(model: &Prepared<M>, (t, q, u): &Point) -> f64 {
     let y: Vec<f64> = q.iter().chain(u).copied().collect();
     let start = M::State::<f64>::from_fn(|i| y[i]);
     let simulation = model.simulate(start).starting_at(*t).tolerance(1e-10, 1e-12).max_steps(20_000).every(0.25);
-    let run = simulation.until(t + RUN).unwrap_or_else(|stop| stop.trajectory);
+    let run = simulation.until(t + RUN).unwrap_or_else(|stop| {
+        // A bicycle that has fallen flat: its wheels touch the ground all around, and the steps become tiny next to that.
+        let near = matches!(stop.error, Error::TooManySteps { .. });
+        let of_mechanism = matches!(stop.error, Error::Dependent { .. } | Error::ChartSingularity { .. });
+        assert!(of_mechanism || near, "{}: {}", M::MODEL.name, stop.error);
+        println!("{:24} {}", M::MODEL.name, stop.error);
+        stop.trajectory
+    });
     let energies: Vec<f64> = run.iter().map(|(t, s)| model.energy(t, s)).collect();
     let kinetic =
         |(t, s): (f64, &M::State<f64>)| model.kinetic_energy(t, &model.coordinates(t, s), &model.velocities(t, s));
@@ -77,7 +84,10 @@ fn energy_drift<M: ConstrainedSystem>(model: &Prepared<M>, (t, q, u): &Point) ->
 }
 
 /// Holds the emitted code of a model against its declaration.
-fn agrees<M: ConstrainedSystem>(file: &str, random: &mut SplitMix, build: impl Fn(&[f64]) -> M) {
+fn agrees<M: ConstrainedSystem>(file: &str, build: impl Fn(&[f64]) -> M) {
+    // Draws of its own, whatever other models there are.
+    let seed = file.bytes().chain(M::MODEL.name.bytes()).fold(4_u64, |seed, b| seed.wrapping_mul(31) + u64::from(b));
+    let random = &mut SplitMix::new(seed);
     let all = declared(file);
     let declared = all.iter().find(|d| d.name == M::MODEL.name).expect("the model is declared in its file");
     let mut total = Report::default();
@@ -113,8 +123,7 @@ fn agrees<M: ConstrainedSystem>(file: &str, random: &mut SplitMix, build: impl F
 
 macro_rules! check_all {
     ($($file:literal $module:ident: $($model:ident($($field:ident),*))*;)*) => {{
-        let random = &mut SplitMix::new(4);
-        $($(agrees($file, random, |p| {
+        $($(agrees($file, |p| {
             let mut p = p.iter().copied();
             registry::$module::$model { $($field: Field::take(&mut p)),* }
         });)*)*

@@ -7,7 +7,7 @@
 mod arm;
 #[path = "models/bicycle.rs"]
 mod bicycle;
-#[path = "published_large/bricard.rs"]
+#[path = "models/bricard.rs"]
 mod bricard;
 #[path = "models/chains.rs"]
 mod chains;

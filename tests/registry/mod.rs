@@ -14,6 +14,8 @@ pub mod arm;
 pub mod bicycle;
 #[path = "../models/bodies.rs"]
 pub mod bodies;
+#[path = "../models/bricard.rs"]
+pub mod bricard;
 #[path = "../models/chains.rs"]
 pub mod chains;
 #[path = "../models/combined.rs"]
@@ -75,6 +77,8 @@ macro_rules! every_model {
                 HeavyTop(m, g, j1, j2, j3, l)
                 Flyball(g, k, cd, l0, m_rod, l_rod, w_rod, off, m_ball, m_slider, b_slider)
                 TriplePendulum(m, l, g);
+            "tests/models/bricard.rs" bricard:
+                Bricard(m, l, b, g);
             "tests/models/chains.rs" chains:
                 TenPendulums(m, l, g)
                 TwentyPendulums(m, l, g);

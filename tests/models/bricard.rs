@@ -9,8 +9,8 @@ use holonomy::ConstrainedSystem;
 /// of the ground at the start. The loop is closed in the axes of the third rod: the tip comes to the sixth joint, whose axis keeps
 /// its direction. Two rows say the latter, of rank four with the others wherever the loop is closed: of the two, `axis_y` is left out.
 ///
-/// A pivot that is not zero in general vanishes wherever the loop is closed, so that the chart that the derive finds is of no use: this
-/// model stands here and not among those that are held against the oracle.
+/// The rows have another solution than the loop: on the surface a1 = a3 = a5 = -pi/2 they lose their rank. States are closed from
+/// the given start, which is near the loop's own motion.
 #[derive(ConstrainedSystem, Clone, Debug)]
 #[coordinates(a1, a2, a3, a4, a5)]
 #[define(
@@ -69,6 +69,7 @@ use holonomy::ConstrainedSystem;
 #[constraint(close_z: s3*(s2*(1 + s1) + 1) + s4*(1 + s5) == c3*c1 - 1)]
 #[constraint(axis_z: c3*s1 + s3*s2*c1 + s4*c5 == 0)]
 #[independent(dot(a1))]
+#[start(a1 = 0.5, a2 = -0.33, a3 = 0.5, a4 = -0.33, a5 = 0.5)]
 pub struct Bricard {
     #[nominal(1)]
     pub m: f64,
