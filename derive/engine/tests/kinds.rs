@@ -507,6 +507,21 @@ fn rows_that_repeat_each_other_behind_a_configuration_say_the_same() {
     checked(on_a_circle(quote!(#[constraint(second: y*ddot(y) + powi(dot(y), 2) + x + t*t == 0)])));
     let text = refused(on_a_circle(quote!(#[constraint(second: y*ddot(y) + powi(dot(y), 2) + 2*x + t*t == 0)])));
     assert!(text.contains("`second` cannot hold: on the motions"), "{text}");
+    // Neither row binds nothing there: they bind the same.
+    let along_a_line = |second: proc_macro2::TokenStream| {
+        quote! {
+            #[coordinates(x, y)]
+            #[inertia(diag(m, m))]
+            #[forces(0, -m*g)]
+            #[configuration(of(s), x = s, y = 2*s)]
+            #[constraint(first: ddot(x) == a*t)]
+            #second
+            struct Driven { m: f64, g: f64, a: f64 }
+        }
+    };
+    checked(along_a_line(quote!(#[constraint(second: ddot(y) == 2*a*t)])));
+    let text = refused(along_a_line(quote!(#[constraint(second: ddot(y) == 3*a*t)])));
+    assert!(text.contains("`second` cannot hold: on the motions") && text.contains("that -t*a be 0"), "{text}");
 }
 
 #[test]
@@ -556,6 +571,23 @@ fn rows_that_depend_on_each_other_are_refused() {
         struct OnMotions { m: f64 }
     });
     assert!(on_motions.contains("`product` depends on the other rows: on the motions"), "{on_motions}");
+    // Independent in general, but not where the rail leaves dot(y) = 0.
+    let together = |speeds: proc_macro2::TokenStream| {
+        refused(quote! {
+            #[coordinates(x, y, z)]
+            #[inertia(diag(m, m, m))]
+            #[forces(0, 0, 0)]
+            #[constraint(rail: dot(y) == 0)]
+            #[constraint(speed: powi(dot(x), 2) + powi(dot(y), 2) + powi(dot(z), 2) == c)]
+            #speeds
+            struct Together { m: f64, c: f64 }
+        })
+    };
+    let product = quote!(powi(dot(x), 2) + powi(dot(y), 2) + powi(dot(z), 2) + 2 * dot(x) * dot(y) * dot(z));
+    let text = together(quote!(#[constraint(product: #product == c)]));
+    assert!(text.contains("`product` depends on the other rows: on the motions"), "{text}");
+    let text = together(quote!(#[constraint(product: #product == c*t)]));
+    assert!(text.contains("`product` cannot hold: on the motions"), "{text}");
     let excluded = refused(quote! {
         #[coordinates(x, y)]
         #[inertia(diag(m, m))]
