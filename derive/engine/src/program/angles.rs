@@ -98,12 +98,30 @@ impl Lowering<'_> {
                         stack.extend(open);
                         continue;
                     }
-                    self.of_sum(*split)
+                    let pair = self.of_sum(*split);
+                    self.remember(angle, &pair);
+                    pair
                 }
             };
             self.turns.insert(angle, pair);
         }
         self.turns[&angle].clone()
+    }
+
+    /// Notes which units are sine and cosine of the angle: their names say more than products of other angles' do.
+    fn remember(&mut self, angle: Expr, (sine, cosine): &(Term, Term)) {
+        for (function, term) in [(Function::Sin, sine), (Function::Cos, cosine)] {
+            let [(unit, 1)] = term.factors[..] else { continue };
+            let (negative, magnitude) = self.magnitude(term.coefficient);
+            if !self.graph.is_one(magnitude) {
+                continue;
+            }
+            let turn = match (negative, function) {
+                (true, Function::Sin) => (false, function, self.graph.neg(angle)),
+                _ => (negative, function, angle),
+            };
+            self.units.turns.entry(unit).or_insert(turn);
+        }
     }
 
     /// sin(a + b) = sin a cos b + cos a sin b, cos(a + b) = cos a cos b - sin a sin b.

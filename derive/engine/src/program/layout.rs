@@ -122,7 +122,8 @@ fn name(code: &Code, names: &Names, labels: &[(&str, bool)], bound: &[bool]) -> 
     let mut given: Vec<Option<String>> = vec![None; bound.len()];
     let mut texts: Vec<Option<String>> = vec![None; bound.len()];
     for (at, operation) in code.operations.iter().enumerate() {
-        let described = names.describe(operation, &|r| texts[r as usize].clone());
+        let called = code.called.get(&(at as Reference)).cloned();
+        let described = called.or_else(|| names.describe(operation, &|r| texts[r as usize].clone()));
         if !bound[at] {
             texts[at] = described;
             continue;
@@ -140,7 +141,7 @@ fn name(code: &Code, names: &Names, labels: &[(&str, bool)], bound: &[bool]) -> 
             },
         };
         texts[at] = name.as_ref().map(|n| n.trim_start_matches("r#").to_owned());
-        given[at] = Some(name.unwrap_or_else(|| namer.numbered()));
+        given[at] = Some(name.unwrap_or_else(|| namer.numbered('a')));
     }
     given
 }

@@ -5,8 +5,11 @@ use crate::projection::Equations;
 use crate::symbolic::{Expr, Function, Given, Graph, Node, Rational};
 use std::collections::BTreeSet;
 
-/// Descriptive names stay below this many characters.
+/// Descriptive names stay below this many characters ...
 const LONGEST: usize = 26;
+
+/// ... and those of prepared quantities, which stand for all the work of parameters, below this.
+const LONGEST_PREPARED: usize = 40;
 
 /// Keywords of all editions that may be written as raw identifiers.
 const KEYWORDS: &[&str] = &[
@@ -61,11 +64,11 @@ impl Namer {
         name
     }
 
-    /// A name for something that has none.
-    pub fn numbered(&mut self) -> String {
+    /// A name for something that has none: a letter, and a number.
+    pub fn numbered(&mut self, letter: char) -> String {
         loop {
             self.counter += 1;
-            let name = format!("a{}", self.counter);
+            let name = format!("{letter}{}", self.counter);
             if self.used.insert(name.clone()) {
                 return name;
             }
@@ -218,7 +221,7 @@ pub fn quantity(graph: &Graph, e: Expr) -> Option<String> {
             let at = texts.binary_search_by_key(&child, |(e, _)| *e).ok()?;
             texts[at].1.clone()
         };
-        let text = describe_quantity(graph, e, &find).filter(|text| text.len() <= LONGEST);
+        let text = describe_quantity(graph, e, &find).filter(|text| text.len() <= LONGEST_PREPARED);
         texts.push((e, text));
     }
     texts.pop()?.1.map(|text| text.to_lowercase())
@@ -257,7 +260,7 @@ fn describe_quantity(graph: &Graph, e: Expr, of: &dyn Fn(Expr) -> Option<String>
                         }
                         parts.push("over".to_owned());
                     }
-                    for _ in 0..exponent.unsigned_abs().min(LONGEST as u32) {
+                    for _ in 0..exponent.unsigned_abs().min(LONGEST_PREPARED as u32) {
                         parts.push(of(*base)?);
                     }
                 }

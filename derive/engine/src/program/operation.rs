@@ -1,7 +1,7 @@
 //! The straight-line program: binary operations in an order in which operands come first.
 
 use crate::symbolic::{Function, Rational};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// A position in a [`Code`].
 pub type Reference = u32;
@@ -141,6 +141,8 @@ pub struct Code {
     pub operations: Vec<Operation>,
     /// The results.
     pub outputs: Vec<Reference>,
+    /// What steps are, where their operands do not tell.
+    pub called: BTreeMap<Reference, String>,
 }
 
 impl Code {

@@ -164,7 +164,7 @@ fn prepare(graph: &mut Graph, equations: &Equations, registry: Registry, names: 
     for e in &quantities[parameters..] {
         let name = match quantity(graph, *e) {
             Some(text) => namer.unique(&text),
-            None => namer.numbered(),
+            None => namer.numbered('k'),
         };
         names.values.push(name);
     }

@@ -1,5 +1,6 @@
 //! Units as binary operations: operands first, then ordered by stage, so that work which changes seldom stands first.
 
+use super::names::quantity;
 use super::operation::{Code, Leaf, Operation, Reference};
 use super::unit::{Bag, Id, Unit, Units, operands};
 use crate::symbolic::{Expr, Graph, Node, Rational, Stage};
@@ -41,12 +42,19 @@ pub fn schedule(units: &Units, roots: &[Id], graph: &Graph, coefficients: &mut d
         interned: HashMap::new(),
         done: vec![None; units.units.len()],
     };
+    let mut called = BTreeMap::new();
     for id in order {
         let reference = builder.unit(id, graph, coefficients);
         builder.done[id as usize] = Some(reference);
+        if let Some((negative, function, angle)) = units.turns.get(&id)
+            && let Some(angle) = quantity(graph, *angle)
+        {
+            let sign = if *negative { "minus_" } else { "" };
+            called.entry(reference).or_insert(format!("{sign}{}_{angle}", function.name()));
+        }
     }
     let outputs = roots.iter().map(|r| builder.get(*r)).collect();
-    staged(Code { operations: builder.operations, outputs }, &builder.stages)
+    staged(Code { operations: builder.operations, outputs, called }, &builder.stages)
 }
 
 /// All units below the roots, operands first.
@@ -87,6 +95,12 @@ fn staged(code: Code, stages: &[Stage]) -> Code {
     Code {
         operations: order.iter().map(|at| code.operations[*at].map(|r| moved[r as usize])).collect(),
         outputs: code.outputs.iter().map(|r| moved[*r as usize]).collect(),
+        called: code
+            .called
+            .into_iter()
+            .filter(|(r, _)| live[*r as usize])
+            .map(|(r, text)| (moved[r as usize], text))
+            .collect(),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::operation::Leaf;
 use crate::symbolic::{Expr, Function, Stage};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// An index into [`Units`].
 pub type Id = u32;
@@ -42,6 +42,8 @@ pub struct Units {
     pub units: Vec<Unit>,
     /// How often each changes.
     pub stages: Vec<Stage>,
+    /// Sines and cosines of angles that are made of those of others, and whether they are negative ones.
+    pub turns: BTreeMap<Id, (bool, Function, Expr)>,
     /// For look-up only.
     interned: HashMap<Unit, Id>,
 }

@@ -60,7 +60,7 @@ fn names_never_collide() {
     let mut namer = Namer::avoiding(["p", "t"]);
     let given = ["p", "type", "type", "self", "a1", "closure.x"].map(|n| namer.unique(n));
     assert_eq!(given, ["p_2", "r#type", "type_2", "self_", "a1", "closure_x"]);
-    assert_eq!(namer.numbered(), "a2");
+    assert_eq!(namer.numbered('a'), "a2");
     assert_eq!(identifier("2nd"), "_2nd");
     // A product and a speed of one name.
     let programs = check(&outputs(|g, v| {
