@@ -1,8 +1,8 @@
 //! What the derive decides for every model of the tests, as text: its speeds and charts, notes with their reasons, what it guards,
-//! and what its functions cost.
+//! its outputs, and what its functions cost.
 //!
-//! The texts stand in `data/decisions`, a file for each file of `models`, and one beside each model of that folder itself, where
-//! there are models of whose kind there is none among the others. `HOLONOMY_BLESS=1` writes them anew: a change of a decision, of a
+//! The texts stand in `data/decisions`, one for each file of tests that declares models and for each file of `models`, and one beside
+//! each model of that folder itself, where there are models of whose kind there is none among the others. `HOLONOMY_BLESS=1` writes them anew: a change of a decision, of a
 //! reason or of a cost is then read as text. Other tests say whether the equations are right.
 
 use holonomy_engine::program::{Programs, programs};
@@ -82,6 +82,13 @@ fn decisions(model: &syn::ItemStruct) -> String {
         line(format!("chart {} in {}", at + 1, names(&chart.speeds)));
         chart.guards.iter().for_each(|g| line(format!("chart {} guard {}", at + 1, guard(g))));
     }
+    let values = graph.display_all(&e.outputs.values);
+    let carried = graph.display_all(&e.outputs.carried);
+    for (at, (name, facts)) in e.outputs.names.iter().zip(e.output_facts()).enumerate() {
+        let inputs = if facts.inputs { ", inputs" } else { "" };
+        line(format!("output {name}: {:?}{inputs}, divides by [{}]", facts.level, facts.divisors.join(", ")));
+        line(format!("    = {} = {}", values[at], carried[at]));
+    }
     let programs = programs(&e).expect("every symbol is known");
     cost(&programs).for_each(&mut line);
     out
@@ -91,15 +98,18 @@ fn decisions(model: &syn::ItemStruct) -> String {
 fn decisions_are_as_they_were_read() {
     let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
     let kept = tests.join("data/decisions");
-    let files = rust_files(&tests.join("models")).into_iter().chain(rust_files(&kept));
+    let folders = [tests.clone(), tests.join("models"), kept.clone()];
+    let files = folders.iter().flat_map(|folder| rust_files(folder));
     let mut changed = Vec::new();
     for file in files {
         let text: String = models(&file).iter().map(decisions).collect();
         if text.is_empty() {
             continue;
         }
-        let name = file.file_name().expect("a name");
-        let path = kept.join(name).with_extension("txt");
+        // Some files of tests have the name of a file with models.
+        let own = if file.parent() == Some(&tests) { "of_" } else { "" };
+        let name = format!("{own}{}.txt", file.file_stem().expect("a name").to_string_lossy());
+        let path = kept.join(name);
         if std::env::var_os("HOLONOMY_BLESS").is_some() {
             fs::write(&path, &text).expect("the text is written");
         }
