@@ -2,6 +2,7 @@
 
 use crate::oracle::{ChartClaim, Claim, Dual, Multiplier, Number, System, derivative};
 use holonomy_engine::projection::{AsIs, Equations, Guard, project};
+use holonomy_engine::simplify::Search;
 use holonomy_engine::symbolic::{Algebra, Expr, Function, Given, Graph, Matrix, Rational, Symbol};
 use holonomy_engine::{model, syntax};
 use nalgebra::DMatrix;
@@ -75,6 +76,14 @@ pub fn projected(source: &str) -> Result<Equations, String> {
 /// What the engine says about a model that it refuses.
 pub fn simplified(source: &str) -> Result<Equations, String> {
     holonomy_engine::analyse(tokens(source)).map(|analysis| analysis.equations).map_err(said)
+}
+
+/// The same without a search for cheaper forms.
+///
+/// # Errors
+/// What the engine says about a model that it refuses.
+pub fn plain(source: &str) -> Result<Equations, String> {
+    holonomy_engine::analyse_by(tokens(source), Search::Off).map(|analysis| analysis.equations).map_err(said)
 }
 
 /// What the derive gets of a struct: everything but the `derive` itself.

@@ -2,7 +2,7 @@
 
 use crate::projection::Simplifier;
 use crate::simplify::limits::{OPENED, PROJECTION_WORK, SETTLED_ALONE, SETTLED_TOGETHER};
-use crate::simplify::{Options, normalise_within, simplify};
+use crate::simplify::{Search, candidates, normalise_within, simplify};
 use crate::symbolic::tables::Set;
 use crate::symbolic::{Expr, Graph, Kind, Node, Stage, Symbol};
 
@@ -11,6 +11,7 @@ use crate::symbolic::{Expr, Graph, Kind, Node, Stage, Symbol};
 /// A large sum that has its final form, an entry of a_u or of M_d, is a symbol to all later simplifications: what is made
 /// of it is then small again, and opening it once more would find nothing that was not found before.
 pub struct Forms {
+    search: Search,
     /// What entries may still cost to normalise: in a large model most of them have no cheaper form.
     left: usize,
     /// The sums that stay closed, with the symbols that stand for them.
@@ -21,8 +22,8 @@ pub struct Forms {
 
 impl Forms {
     /// Without any memory.
-    pub fn new() -> Self {
-        Forms { left: PROJECTION_WORK, settled: Vec::new(), done: Vec::new() }
+    pub fn new(search: Search) -> Self {
+        Forms { search, left: PROJECTION_WORK, settled: Vec::new(), done: Vec::new() }
     }
 
     /// Runs a simplification over expressions in which settled sums are symbols.
@@ -78,6 +79,25 @@ impl Forms {
     }
 }
 
+impl Forms {
+    /// The forms of a group that weigh least, those that it has among them, with their weight.
+    pub fn lightest(
+        &mut self,
+        graph: &mut Graph,
+        roots: &[Expr],
+        weigh: impl Fn(&mut Graph, &[Expr]) -> usize,
+    ) -> (usize, Vec<Expr>) {
+        let found = self.closed(graph, roots, |forms, graph, roots| candidates(graph, roots, forms.search).concat());
+        let all = found.chunks(roots.len().max(1)).map(<[Expr]>::to_vec).chain([roots.to_vec()]);
+        let weighed = all.map(|form| (weigh(graph, &form), form)).enumerate();
+        let lightest = weighed.min_by_key(|(i, (weight, _))| (*weight, *i)).map(|(_, found)| found);
+        let (weight, lightest) = lightest.unwrap_or_else(|| (0, roots.to_vec()));
+        self.done.push(Set::of(&lightest));
+        self.close(graph, &lightest, SETTLED_TOGETHER);
+        (weight, lightest)
+    }
+}
+
 impl Simplifier for Forms {
     fn one(&mut self, graph: &mut Graph, e: Expr) -> Expr {
         self.closed(graph, &[e], |forms, graph, roots| {
@@ -91,7 +111,7 @@ impl Simplifier for Forms {
         if self.done.iter().any(|done| roots.iter().all(|e| done.contains(*e) || !running(graph, e))) {
             return roots.to_vec();
         }
-        let found = self.closed(graph, roots, |_, graph, roots| simplify(graph, roots, &Options::default()));
+        let found = self.closed(graph, roots, |forms, graph, roots| simplify(graph, roots, forms.search));
         self.done.push(Set::of(&found));
         self.close(graph, &found, SETTLED_TOGETHER);
         found

@@ -16,4 +16,4 @@ pub mod symbolic;
 pub mod syntax;
 mod target;
 
-pub use pipeline::{Analysis, Observer, Step, analyse, expand, expand_observed};
+pub use pipeline::{Analysis, Observer, Step, analyse, analyse_by, expand, expand_observed, expand_plainly};

@@ -1,12 +1,13 @@
 //! The steps in order, from tokens to tokens.
 
 use crate::forms::Forms;
-use crate::projection::{Equations, Simplifier, TANGENT_PIVOT, guards, messages, outputs, project};
-use crate::symbolic::Expr;
+use crate::projection::{AsIs, Equations, Simplifier, TANGENT_PIVOT, guards, messages, outputs, project};
+use crate::simplify::Search;
+use crate::symbolic::{Expr, Graph};
 use crate::syntax::{Declarations, Diagnostics};
 use crate::target::{known, target};
 use crate::{emit, model, orders, program, syntax};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 
 /// A model that has been read, checked and projected.
 #[derive(Clone, Debug)]
@@ -42,12 +43,21 @@ pub fn expand(input: TokenStream) -> TokenStream {
     expand_observed(input, &mut |_, _| {})
 }
 
+/// [`expand`] without a search for cheaper forms, as with `simplify = off`: the same types, and the same errors, sooner.
+pub fn expand_plainly(input: TokenStream) -> TokenStream {
+    expansion(input, Search::Off, &mut |_, _| {})
+}
+
 /// [`expand`], watched.
 pub fn expand_observed(input: TokenStream, after: Observer<'_>) -> TokenStream {
+    expansion(input, Search::Full, after)
+}
+
+fn expansion(input: TokenStream, search: Search, after: Observer<'_>) -> TokenStream {
     let (declarations, diagnostics) = syntax::read(input);
     let Some(declarations) = declarations else { return diagnostics.into_tokens() };
     after(Step::Syntax, 0);
-    emitted(&declarations, diagnostics, after).unwrap_or_else(|errors| {
+    emitted(&declarations, diagnostics, search, after).unwrap_or_else(|errors| {
         // The types are there all the same, so that only the model's own errors show.
         let mut tokens = errors.into_tokens();
         tokens.extend(emit::diverging(&target(&declarations, None), &known(&declarations)));
@@ -58,9 +68,10 @@ pub fn expand_observed(input: TokenStream, after: Observer<'_>) -> TokenStream {
 fn emitted(
     declarations: &Declarations,
     diagnostics: Diagnostics,
+    search: Search,
     after: Observer<'_>,
 ) -> Result<TokenStream, Diagnostics> {
-    let equations = equations(declarations, diagnostics, after)?;
+    let equations = equations(declarations, diagnostics, search, after)?;
     let programs = program::programs(&equations).map_err(|unbound| {
         let mut errors = Diagnostics::new();
         let message = format!(
@@ -82,10 +93,19 @@ fn emitted(
 ///
 /// Everything that is wrong with the model, at its tokens.
 pub fn analyse(input: TokenStream) -> Result<Analysis, Diagnostics> {
+    analyse_by(input, Search::Full)
+}
+
+/// [`analyse`] with less of a search for cheaper forms, to see what it is worth.
+///
+/// # Errors
+///
+/// Those of [`analyse`].
+pub fn analyse_by(input: TokenStream, search: Search) -> Result<Analysis, Diagnostics> {
     let (declarations, diagnostics) = syntax::read(input);
     match declarations {
         Some(declarations) => {
-            let equations = equations(&declarations, diagnostics, &mut |_, _| {})?;
+            let equations = equations(&declarations, diagnostics, search, &mut |_, _| {})?;
             Ok(Analysis { declarations, equations })
         }
         None => Err(diagnostics),
@@ -97,6 +117,7 @@ pub fn analyse(input: TokenStream) -> Result<Analysis, Diagnostics> {
 fn equations(
     declarations: &Declarations,
     mut diagnostics: Diagnostics,
+    search: Search,
     after: Observer<'_>,
 ) -> Result<Equations, Diagnostics> {
     if !declarations.complete {
@@ -110,12 +131,28 @@ fn equations(
         }
     };
     after(Step::Model, system.graph.len());
-    let mut forms = Forms::new();
-    let mut equations = project(system, &mut forms)?;
-    after(Step::Projection, equations.graph.len());
-    if declarations.options.simplify {
-        cheapen(&mut equations, &mut forms);
-    }
+    let search = if declarations.options.simplify { search } else { Search::Off };
+    let mut equations = match search {
+        Search::Off => {
+            let equations = project(system, &mut AsIs)?;
+            after(Step::Projection, equations.graph.len());
+            equations
+        }
+        _ => {
+            // Entries in their cheapest forms may hide what the whole has in common: the plain equations are tried, too.
+            let plain = project(system.clone(), &mut AsIs).ok();
+            let mut forms = Forms::new(search);
+            let mut equations = project(system, &mut forms)?;
+            after(Step::Projection, equations.graph.len());
+            let weight = cheapen(&mut equations, &mut forms);
+            unchanged(&equations.graph, &declarations.ident)?;
+            let plain = plain.map(|mut plain| (motion(&mut plain), plain));
+            match plain {
+                Some((lighter, plain)) if lighter < weight => plain,
+                _ => equations,
+            }
+        }
+    };
     let mut errors = Diagnostics::new();
     for (name, span) in outputs::dividing_by_zero(&equations) {
         errors.report(span, messages::output_divides_by_zero(name));
@@ -135,12 +172,39 @@ fn equations(
     Ok(equations)
 }
 
-/// Replaces every group of expressions that is computed together by its cheapest form.
-fn cheapen(equations: &mut Equations, forms: &mut Forms) {
+/// No expression was rewritten to something else: what is emitted is what was derived, or nothing is.
+fn unchanged(graph: &Graph, model: &Ident) -> Result<(), Diagnostics> {
+    let mut errors = Diagnostics::new();
+    if let Some((old, new)) = graph.broken() {
+        errors.report(model, messages::changed(&graph.display(old), &graph.display(new)));
+    }
+    errors.result(())
+}
+
+/// What the program for a run weighs.
+fn motion(equations: &mut Equations) -> usize {
     let mut graph = std::mem::take(&mut equations.graph);
+    let roots: Vec<Expr> = equations.groups().swap_remove(0).into_iter().map(|e| *e).collect();
+    let weight = program::weight(&mut graph, &roots);
+    equations.graph = graph;
+    weight
+}
+
+/// Replaces every group of expressions that is computed together by its cheapest form. What a run needs is the first of them: its
+/// forms are compared by the programs that they become, whose weight is returned.
+fn cheapen(equations: &mut Equations, forms: &mut Forms) -> usize {
+    let mut graph = std::mem::take(&mut equations.graph);
+    let mut first = None;
     for group in equations.groups() {
         let roots: Vec<Expr> = group.iter().map(|e| **e).collect();
-        let cheaper = forms.all(&mut graph, &roots);
+        let cheaper = match first {
+            Some(_) => forms.all(&mut graph, &roots),
+            None => {
+                let (weight, lightest) = forms.lightest(&mut graph, &roots, program::weight);
+                first = Some(weight);
+                lightest
+            }
+        };
         group.into_iter().zip(cheaper).for_each(|(e, new)| *e = new);
     }
     equations.graph = graph;
@@ -151,5 +215,26 @@ fn cheapen(equations: &mut Equations, forms: &mut Forms) {
         if !group.is_empty() {
             *group = forms.all(graph, group);
         }
+    }
+    first.unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::symbolic::Kind;
+
+    #[test]
+    fn a_model_that_simplification_changed_is_not_emitted() {
+        let mut graph = Graph::new();
+        let model: Ident = syn::parse_quote!(Pendulum);
+        let [x, y] = ["x", "y"].map(|name| graph.symbol(name, Kind::Coordinate));
+        let [x, y] = [x, y].map(|symbol| graph.var(symbol));
+        assert!(graph.proven(x, x) && unchanged(&graph, &model).is_ok());
+        assert!(!graph.proven(y, x));
+        let errors = unchanged(&graph, &model).expect_err("x is not y");
+        let text: Vec<String> = errors.iter().map(|error| error.message.clone()).collect();
+        assert_eq!(text.len(), 1);
+        assert!(text[0].contains("simplification made y of x") && text[0].contains("report the model"), "{}", text[0]);
     }
 }

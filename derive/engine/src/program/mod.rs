@@ -34,4 +34,4 @@ pub use entry::{Arguments, Entry, Output, Shape};
 pub use layout::{Block, Layout, Let, Part};
 pub use names::Names;
 pub use operation::{Code, Count, Leaf, Operation, Reference};
-pub use plan::{Program, Programs, Values, programs};
+pub use plan::{Program, Programs, Values, programs, weight};

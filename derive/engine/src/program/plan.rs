@@ -112,7 +112,16 @@ pub fn programs(equations: &Equations) -> Result<Programs, Unbound> {
     Ok(Programs { graph, values, functions, charts, names })
 }
 
-/// The cheaper of two programs for one function: sums as they stand, and with common factors taken out.
+/// What the cheapest program for the expressions weighs, whatever function they stand in.
+pub fn weight(graph: &mut Graph, roots: &[Expr]) -> usize {
+    graph.without_new_assumptions(|graph| {
+        let place = |symbol: Symbol| Some(Leaf::StateSpeed(symbol.index()));
+        let found = cheapest(graph, &mut Rests::default(), roots, &place, &Registry::new(&[]));
+        found.map_or(usize::MAX, |(code, _)| code.count().weight())
+    })
+}
+
+/// The program for one function.
 fn function(
     graph: &mut Graph,
     rests: &mut Rests,
@@ -121,23 +130,33 @@ fn function(
     registry: &mut Registry,
 ) -> Result<Code, Unbound> {
     let places = places(equations, entry.arguments);
-    let roots = entry.roots();
     let place = |symbol: Symbol| places.get(&symbol).copied();
-    let forms: &[bool] = if graph.reachable(&roots).len() > BOTH_FORMS { &[true] } else { &[true, false] };
+    let found = cheapest(graph, rests, &entry.roots(), &place, registry);
+    let (code, used) = found.map_err(|symbol| unbound(&entry.name, equations, symbol))?;
+    *registry = used;
+    Ok(code)
+}
+
+/// The cheaper of two programs: sums as they stand, and with common factors taken out. Or the symbol that has no place.
+fn cheapest(
+    graph: &mut Graph,
+    rests: &mut Rests,
+    roots: &[Expr],
+    place: &dyn Fn(Symbol) -> Option<Leaf>,
+    registry: &Registry,
+) -> Result<(Code, Registry), Symbol> {
+    let forms: &[bool] = if graph.reachable(roots).len() > BOTH_FORMS { &[true] } else { &[true, false] };
     let mut best: Option<(Code, Registry)> = None;
     for factor in forms {
         let mut lowering = Lowering::new(graph, rests, Manner { numeric: false, factor: *factor });
-        let lowered = lowering.lower(&roots, &place);
+        let lowered = lowering.lower(roots, place);
         let units = std::mem::take(&mut lowering.units);
-        let roots = lowered.map_err(|symbol| unbound(&entry.name, equations, symbol))?;
-        let (code, used) = program(graph, units, &roots, registry.clone());
+        let (code, used) = program(graph, units, &lowered?, registry.clone());
         if best.as_ref().is_none_or(|(other, _)| code.count().weight() < other.count().weight()) {
             best = Some((code, used));
         }
     }
-    let (code, used) = best.expect("one form at least");
-    *registry = used;
-    Ok(code)
+    Ok(best.expect("one form at least"))
 }
 
 fn program(graph: &Graph, mut units: super::unit::Units, roots: &[u32], mut registry: Registry) -> (Code, Registry) {

@@ -237,3 +237,11 @@ pub(crate) fn reaction_undetermined(name: &str, missing: usize) -> String {
 fn list(names: &[&str]) -> String {
     names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
+
+/// A rule of the simplification is wrong.
+pub(crate) fn changed(old: &str, new: &str) -> String {
+    format!(
+        "internal error: simplification made {new} of {old}, which is something else; nothing is emitted. Please report the \
+         model, and use `#[holonomy(simplify = off)]` until then"
+    )
+}

@@ -7,44 +7,52 @@ use super::language::{Classes, import};
 use super::limits::{GROUP_LEAST, GROUP_NODES, GROUP_SEEDS, INNER_FORMS, MODEL_NODES, MODEL_WORK, OPENED_TOGETHER};
 use super::normalise::{forms, normalise_within, rank};
 use super::rules::grow;
-use crate::symbolic::{Expr, Graph, Node};
+use crate::symbolic::{Expr, Function, Graph, Node};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What simplification may do.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Options {
-    /// Whether to simplify at all.
-    pub enabled: bool,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Options { enabled: true }
-    }
+/// How far cheaper forms are searched.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub enum Search {
+    /// Not at all.
+    Off,
+    /// Canonical forms of each expression alone.
+    Forms,
+    /// These, and what an e-graph finds among them.
+    #[default]
+    Full,
 }
 
 /// The roots in cheaper forms, in their order. Each is identical to what went in, and together they are never dearer
 /// by [`cost`].
-pub fn simplify(graph: &mut Graph, roots: &[Expr], options: &Options) -> Vec<Expr> {
-    if !options.enabled {
-        return roots.to_vec();
+pub fn simplify(graph: &mut Graph, roots: &[Expr], search: Search) -> Vec<Expr> {
+    let found = candidates(graph, roots, search).into_iter().chain([roots.to_vec()]);
+    found.enumerate().min_by_key(|(i, out)| (joint(graph, out), *i)).map(|(_, out)| out).unwrap_or_default()
+}
+
+/// All roots in the forms that the search found, what it found by more of it first; each is identical to what went in.
+pub fn candidates(graph: &mut Graph, roots: &[Expr], search: Search) -> Vec<Vec<Expr>> {
+    if search == Search::Off {
+        return Vec::new();
     }
     let mut work = MODEL_WORK;
-    let mut out = inner(graph, roots, &mut work);
-    let mut nodes = MODEL_NODES;
-    for group in groups(graph, &out) {
-        let members: Vec<Expr> = group.iter().map(|i| out[*i]).collect();
-        let better = one_group(graph, &members, &mut nodes, &mut work);
-        for (i, e) in group.into_iter().zip(better) {
-            out[i] = e;
+    let mut forms = inner(graph, roots, &mut work);
+    let mut all = forms.clone();
+    let mut nodes = if search == Search::Full { MODEL_NODES } else { 0 };
+    for group in groups(graph, &forms) {
+        let members: Vec<Expr> = group.iter().map(|i| forms[*i]).collect();
+        let (simpler, cheaper) = one_group(graph, &members, &mut nodes, &mut work);
+        for ((i, form), e) in group.into_iter().zip(simpler).zip(cheaper) {
+            (forms[i], all[i]) = (form, e);
         }
     }
-    for (new, old) in out.iter_mut().zip(roots) {
-        if new != old && !graph.identical(*new, *old) {
-            *new = *old;
+    for found in [&mut forms, &mut all] {
+        for (new, old) in found.iter_mut().zip(roots) {
+            if new != old && !graph.proven(*new, *old) {
+                *new = *old;
+            }
         }
     }
-    if joint(graph, &out) <= joint(graph, roots) { out } else { roots.to_vec() }
+    if forms == all { vec![all] } else { vec![all, forms] }
 }
 
 /// Cost of all together; ties go by all work, parameters' included.
@@ -54,11 +62,16 @@ fn joint(graph: &Graph, roots: &[Expr]) -> (usize, usize) {
 
 /// Denominators and arguments of functions, which expansion leaves closed, in normal form.
 fn inner(graph: &mut Graph, roots: &[Expr], work: &mut usize) -> Vec<Expr> {
-    let mut closed: BTreeSet<Expr> = BTreeSet::new();
+    let (mut closed, mut angles): (BTreeSet<Expr>, BTreeSet<Expr>) = Default::default();
     for e in graph.reachable(roots) {
         match graph.node(e) {
             Node::Product(factors) => closed.extend(factors.iter().filter(|(_, k)| *k < 0).map(|(b, _)| *b)),
-            Node::Function(_, arguments) => closed.extend(arguments.iter().copied()),
+            Node::Function(function, arguments) => {
+                closed.extend(arguments.iter().copied());
+                if matches!(function, Function::Sin | Function::Cos) {
+                    angles.extend(arguments.iter().copied());
+                }
+            }
             _ => {}
         }
     }
@@ -66,7 +79,12 @@ fn inner(graph: &mut Graph, roots: &[Expr], work: &mut usize) -> Vec<Expr> {
     closed.retain(|e| matches!(graph.node(*e), Node::Sum { .. } | Node::Product(_)));
     for e in closed.into_iter().take(INNER_FORMS) {
         let normal = normalise_within(graph, e, work);
-        if normal != e {
+        // Angles are told by their terms: one that is no sum any more could not be related to itself.
+        let related = !angles.contains(&e) || {
+            let (before, after) = (graph.sin(e), graph.sin(normal));
+            graph.identical(before, after)
+        };
+        if normal != e && related {
             if graph.is_nonzero(e) {
                 graph.assume_nonzero(normal);
             }
@@ -93,7 +111,8 @@ fn groups(graph: &Graph, roots: &[Expr]) -> Vec<Vec<usize>> {
     groups
 }
 
-fn one_group(graph: &mut Graph, roots: &[Expr], nodes: &mut usize, work: &mut usize) -> Vec<Expr> {
+/// One group by canonical forms alone, and by these and the e-graph.
+fn one_group(graph: &mut Graph, roots: &[Expr], nodes: &mut usize, work: &mut usize) -> (Vec<Expr>, Vec<Expr>) {
     let mut divisors: Vec<Atoms> = Vec::new();
     let mut seeds: Vec<Vec<Expr>> = Vec::with_capacity(roots.len());
     for root in roots {
@@ -103,7 +122,7 @@ fn one_group(graph: &mut Graph, roots: &[Expr], nodes: &mut usize, work: &mut us
             && let Some((found, atoms)) =
                 forms(graph, *root, Depth::Full, work).or_else(|| forms(graph, *root, Depth::Running, work))
         {
-            let found: Vec<Expr> = found.into_iter().filter(|f| f != root && graph.identical(*f, *root)).collect();
+            let found: Vec<Expr> = found.into_iter().filter(|f| f != root && graph.proven(*f, *root)).collect();
             if !found.is_empty() {
                 all.extend(found);
                 divisors.push(atoms);
@@ -113,14 +132,17 @@ fn one_group(graph: &mut Graph, roots: &[Expr], nodes: &mut usize, work: &mut us
     }
     let cheapest: Vec<Expr> =
         seeds.iter().map(|all| all.iter().copied().min_by_key(|e| (rank(graph, *e), *e)).unwrap_or(all[0])).collect();
-    let mut candidates = vec![roots.to_vec(), cheapest];
-    candidates.extend(by_egraph(graph, &seeds, nodes));
-    let best = candidates.into_iter().enumerate().min_by_key(|(i, c)| (joint(graph, c), *i)).map(|(_, c)| c);
-    let best = best.unwrap_or_else(|| roots.to_vec());
-    if best != roots {
+    let weighed = |graph: &Graph, form: Vec<Expr>| (joint(graph, &form), form);
+    let (raw, cheapest) = (weighed(graph, roots.to_vec()), weighed(graph, cheapest));
+    let forms = if cheapest.0 < raw.0 { cheapest } else { raw };
+    let best = match by_egraph(graph, &seeds, nodes).map(|found| weighed(graph, found)) {
+        Some(found) if found.0 < forms.0 => found.1,
+        _ => forms.1.clone(),
+    };
+    if best != roots || forms.1 != roots {
         divisors.iter().for_each(|atoms| atoms.record(graph));
     }
-    best
+    (forms.1, best)
 }
 
 /// The group through an e-graph that holds every seed.

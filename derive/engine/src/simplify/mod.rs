@@ -31,5 +31,5 @@ pub mod rules;
 mod tests;
 
 pub use cost::{Cost, cost};
-pub use group::{Options, simplify};
+pub use group::{Search, candidates, simplify};
 pub use normalise::{normalise, normalise_within};

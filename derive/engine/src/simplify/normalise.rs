@@ -29,7 +29,7 @@ pub fn normalise_within(graph: &mut Graph, e: Expr, left: &mut usize) -> Expr {
         let mut chosen = false;
         for form in found {
             let rank = rank(graph, form);
-            if rank < best.0 && graph.identical(form, e) {
+            if rank < best.0 && graph.proven(form, e) {
                 best = (rank, form);
                 chosen = true;
             }

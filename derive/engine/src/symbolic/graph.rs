@@ -22,6 +22,8 @@ pub struct Graph {
     pub(super) points: RefCell<Points>,
     pub(super) samples: RefCell<Samples>,
     pub(super) given: Vec<Given>,
+    /// What was rewritten to something else.
+    pub(super) broken: Option<(Expr, Expr)>,
     pi: Symbol,
 }
 
@@ -45,6 +47,7 @@ impl Graph {
             points: RefCell::default(),
             samples: RefCell::default(),
             given: Vec::new(),
+            broken: None,
             pi: Symbol(0),
         };
         graph.intern(Node::Number(Rational::ZERO));

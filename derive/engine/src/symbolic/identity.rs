@@ -14,8 +14,9 @@
 use super::modular::{Element, Field, PRIMES, mix};
 use super::{Expr, Function, Graph, Node, Rational};
 
-/// Denominators that divide this have exact angle multiples: τ belongs to the angle over this number.
-const DENOMINATOR: i64 = 720_720;
+/// Denominators that divide this have exact angle multiples, decimals of four places among them: τ belongs to the angle over this
+/// number.
+const DENOMINATOR: i64 = 90_090_000;
 const POINTS_PER_PRIME: usize = 3;
 const REDRAWS: usize = 1024;
 
@@ -238,6 +239,21 @@ impl Graph {
         a == b
             || self.agree(|point, graph| Some((point.value(graph, a)?, point.value(graph, b)?)))
                 && !self.contradicted(a, b)
+    }
+
+    /// Whether a rewritten expression is what it was. One that is not identical is not used; one that is shown to be something
+    /// else is remembered, since a rule must then be wrong: [`Graph::broken`].
+    pub fn proven(&mut self, new: Expr, old: Expr) -> bool {
+        let proven = self.identical(new, old);
+        if !proven && self.broken.is_none() && self.refuted(new, old) {
+            self.broken = Some((old, new));
+        }
+        proven
+    }
+
+    /// The first expression that was rewritten to something else, and what it became.
+    pub fn broken(&self) -> Option<(Expr, Expr)> {
+        self.broken
     }
 
     /// Whether the expression is zero for all values of its symbols.

@@ -22,6 +22,17 @@ impl Graph {
         contradiction || finite == 0
     }
 
+    /// Whether values in double precision show that the two differ, at most of the points that can be compared: what is only
+    /// refused, for want of a relation, agrees at nearly all.
+    pub(super) fn refuted(&self, a: Expr, b: Expr) -> bool {
+        let mut samples = self.samples.borrow_mut();
+        let found = self.evaluate_further(&[a, b], &mut Sampled { pi: self.pi_symbol() }, &mut samples.0);
+        let pairs = (0..SAMPLES).map(|k| (found[0][k], found[1][k]));
+        let finite = pairs.filter(|((x, sx), (y, sy))| [x, sx, y, sy].iter().all(|value| value.is_finite()));
+        let differ: Vec<bool> = finite.map(|((x, sx), (y, sy))| (x - y).abs() > 1e-7 * (sx + sy + 1e-30)).collect();
+        differ.len() >= LEAST_COMPARED && 2 * differ.iter().filter(|differ| **differ).count() > differ.len()
+    }
+
     /// Values in double precision, each with the size of the terms that made it: a value far below its size is zero
     /// to rounding.
     pub fn evaluate_scaled(&self, expressions: &[Expr], values: &dyn Fn(Symbol) -> f64) -> Vec<(f64, f64)> {
@@ -31,6 +42,9 @@ impl Graph {
 
 /// Points in double precision at which what contains roots is compared.
 const SAMPLES: usize = 48;
+
+/// Fewer points show nothing.
+const LEAST_COMPARED: usize = 3;
 
 /// Values in double precision at all points, with the sizes of their terms, one entry for each expression of the arena.
 #[derive(Clone, Debug, Default)]

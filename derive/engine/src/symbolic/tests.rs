@@ -97,6 +97,54 @@ fn identities_are_decided() {
     assert!(g.identical(product, of_sum));
 }
 
+/// A rewrite is used where it is proven, left where it is only refused, and remembered where it is shown to be wrong.
+#[test]
+fn wrong_rewrites_are_remembered() {
+    let (mut g, x, y, _) = three();
+    let (x, y) = (g.var(x), g.var(y));
+    let sine = g.sin(x);
+    let square = g.powi(sine, 2);
+    let cosine = g.cos(x);
+    let other = g.powi(cosine, 2);
+    let one = g.one();
+    let rest = g.sub(one, other);
+    assert!(g.proven(rest, square) && g.broken().is_none());
+    // the angle's terms do not tell that it is y + x y
+    let outer = g.add(one, x);
+    let product = g.mul(y, outer);
+    let whole = g.mul(x, y);
+    let sum = g.add(y, whole);
+    let (a, b) = (g.sin(product), g.sin(sum));
+    assert!(!g.proven(a, b) && g.broken().is_none());
+    assert!(!g.proven(other, square));
+    assert_eq!(g.broken(), Some((square, other)));
+    // the first one stays
+    assert!(!g.proven(x, y));
+    assert_eq!(g.broken(), Some((square, other)));
+}
+
+/// Decimals of four places are multiples of one angle.
+#[test]
+fn angles_with_decimals_are_related() {
+    let (mut g, x, y, _) = three();
+    let (x, y) = (g.var(x), g.var(y));
+    let times = |g: &mut Graph, text: &str, e: Expr| {
+        let number = Rational::parse(text).expect("a number");
+        g.scale(number, e)
+    };
+    let (a, b) = (times(&mut g, "1.03", x), times(&mut g, "0.4704", y));
+    let sum = g.add(a, b);
+    let [(sin_a, cos_a), (sin_b, cos_b), (sin, _)] = [a, b, sum].map(|angle| (g.sin(angle), g.cos(angle)));
+    let (first, second) = (g.mul(sin_a, cos_b), g.mul(cos_a, sin_b));
+    let expanded = g.add(first, second);
+    assert!(g.identical(sin, expanded));
+    let (third, double) = (times(&mut g, "0.0331", x), times(&mut g, "0.0662", x));
+    let (s, c, twice) = (g.sin(third), g.cos(third), g.sin(double));
+    let product = g.mul(s, c);
+    let product = times(&mut g, "2", product);
+    assert!(g.identical(twice, product));
+}
+
 #[test]
 fn roots_keep_their_branch() {
     let (mut g, x, y, _) = three();

@@ -2,7 +2,7 @@
 
 use super::random::{Draw, assert_same_values};
 use super::support::Names;
-use crate::simplify::{Options, cost, normalise, simplify};
+use crate::simplify::{Search, cost, normalise, simplify};
 use crate::symbolic::{Expr, Kind, Matrix};
 
 fn disk() -> Names {
@@ -177,7 +177,7 @@ fn the_accelerations_of_the_disk() {
     let roots = accelerations(&mut names);
     let g = &mut names.graph;
     let before = cost(g, &roots);
-    let out = simplify(g, &roots, &Options::default());
+    let out = simplify(g, &roots, Search::Full);
     let after = cost(g, &out);
     assert!(out.iter().zip(&roots).all(|(a, b)| g.identical(*a, *b)));
     assert_same_values(g, &roots, &out, &mut Draw(3));
@@ -194,7 +194,7 @@ fn the_same_input_gives_the_same_forms() {
             let roots = accelerations(&mut names);
             let (md, _) = five_coordinates(&mut names);
             let roots: Vec<Expr> = roots.into_iter().chain(md.entries().to_vec()).collect();
-            let out = simplify(&mut names.graph, &roots, &Options::default());
+            let out = simplify(&mut names.graph, &roots, Search::Full);
             out.iter().map(|e| format!("{} {}", e.index(), names.graph.display(*e))).collect()
         })
         .collect();
@@ -222,7 +222,7 @@ fn large_and_deep_expressions_stay_within_the_bounds() {
     let g = &mut names.graph;
     let (power, product) = (g.powi(sum, 30), g.product(&[sum, fraction]));
     let roots = [e, fraction, power, product];
-    let out = simplify(g, &roots, &Options::default());
+    let out = simplify(g, &roots, Search::Full);
     assert!(cost(g, &out).weight() <= cost(g, &roots).weight());
     assert_eq!(normalise(g, power), power);
 }

@@ -1,7 +1,7 @@
 //! Random expressions of mechanical flavour: cheaper or equal, and the same function, exactly and in doubles.
 
 use super::support::Names;
-use crate::simplify::{Options, cost, normalise, simplify};
+use crate::simplify::{Search, cost, normalise, simplify};
 use crate::symbolic::modular::mix;
 use crate::symbolic::{Expr, Graph, Kind, Rational, Stage};
 
@@ -114,7 +114,7 @@ fn roots_together_are_the_same_functions_and_never_dearer() {
         let mut names = names();
         let roots = expressions(&mut names, &mut draw, 10);
         let g = &mut names.graph;
-        let out = simplify(g, &roots, &Options::default());
+        let out = simplify(g, &roots, Search::Full);
         for (new, old) in out.iter().zip(&roots) {
             assert!(g.identical(*new, *old), "{} -> {}", g.display(*old), g.display(*new));
         }
@@ -123,7 +123,7 @@ fn roots_together_are_the_same_functions_and_never_dearer() {
         all_before += before;
         all_after += after;
         assert_same_values(g, &roots, &out, &mut draw);
-        assert_eq!(simplify(&mut g.clone(), &roots, &Options { enabled: false }), roots);
+        assert_eq!(simplify(&mut g.clone(), &roots, Search::Off), roots);
     }
     assert!(all_after < all_before, "{all_before} {all_after}");
     println!("{all_before} -> {all_after}");

@@ -2,7 +2,7 @@
 
 use super::random::{Draw, assert_same_values};
 use super::support::Names;
-use crate::simplify::{Options, cost, simplify};
+use crate::simplify::{Search, cost, simplify};
 use crate::symbolic::{Expr, Kind};
 
 fn names() -> Names {
@@ -13,7 +13,7 @@ fn names() -> Names {
 fn checked(names: &mut Names, texts: &[&str]) -> (Vec<Expr>, usize, usize) {
     let roots: Vec<Expr> = texts.iter().map(|t| names.parse(t)).collect();
     let g = &mut names.graph;
-    let out = simplify(g, &roots, &Options::default());
+    let out = simplify(g, &roots, Search::Full);
     assert_eq!(out.len(), roots.len());
     for (new, old) in out.iter().zip(&roots) {
         assert!(g.identical(*new, *old), "{} became {}", g.display(*old), g.display(*new));

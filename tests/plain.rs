@@ -1,0 +1,72 @@
+//! Without a search for cheaper forms the derive gives the same types and the same names: a model may be switched over, and an editor
+//! sees what the compiler sees.
+
+mod random;
+mod support;
+
+use quote::ToTokens;
+use random::first;
+use std::fs;
+use std::path::Path;
+
+/// The structs that an expansion declares, and the associated types and lengths of its implementation.
+fn declared(tokens: proc_macro2::TokenStream, model: &str) -> Vec<String> {
+    let file: syn::File = syn::parse2(tokens).unwrap_or_else(|e| panic!("{model}: {e}"));
+    let mut found = Vec::new();
+    let mut open = file.items;
+    while let Some(item) = open.pop() {
+        match item {
+            syn::Item::Struct(item) => found.push(item.to_token_stream().to_string()),
+            syn::Item::Impl(item) => {
+                let types = item.items.iter().filter(|item| matches!(item, syn::ImplItem::Type(_)));
+                found.extend(types.map(|item| item.to_token_stream().to_string()));
+            }
+            syn::Item::Const(item) => {
+                // Everything may stand in one anonymous constant.
+                if let syn::Expr::Block(block) = *item.expr {
+                    open.extend(block.block.stmts.into_iter().filter_map(|statement| match statement {
+                        syn::Stmt::Item(item) => Some(item),
+                        _ => None,
+                    }));
+                }
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+fn models() -> Vec<syn::ItemStruct> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/models");
+    let mut files: Vec<_> =
+        fs::read_dir(folder).expect("a folder").map(|file| file.expect("an entry").path()).collect();
+    files.sort();
+    let sources = files.iter().map(|file| fs::read_to_string(file).expect("a text"));
+    let generated = first(60, 61).into_iter().map(|model| model.source);
+    let items = sources.chain(generated).flat_map(|source| syn::parse_file(&source).expect("Rust").items);
+    let structs = items.filter_map(|item| match item {
+        syn::Item::Struct(mut item) => {
+            item.attrs.retain(|a| !a.path().is_ident("derive"));
+            Some(item)
+        }
+        _ => None,
+    });
+    structs.collect()
+}
+
+#[test]
+fn the_types_do_not_depend_on_the_search_for_cheaper_forms() {
+    let mut compared = 0;
+    for model in models() {
+        let name = model.ident.to_string();
+        let [full, plain] = [holonomy_engine::expand, holonomy_engine::expand_plainly]
+            .map(|expand| declared(expand(model.to_token_stream()), &name));
+        assert!(full.len() > 5, "{name}: {full:?}");
+        // Prepared values are another matter: what parameters are combined to depends on the forms.
+        let values = format!("{name}Values");
+        let differ = full.iter().zip(&plain).find(|(a, b)| a != b && !a.contains(&values) && !a.contains("Guards"));
+        assert!(full.len() == plain.len() && differ.is_none(), "{name}: {differ:?}");
+        compared += 1;
+    }
+    assert!(compared > 100, "{compared}");
+}
