@@ -598,3 +598,24 @@ fn rows_that_depend_on_each_other_are_refused() {
     });
     assert!(excluded.contains("`product` cannot hold"), "{excluded}");
 }
+
+/// A position row that repeats one velocity row shares its reaction, whatever rows there are before that.
+#[test]
+fn a_merged_row_has_the_reaction_of_the_row_that_it_repeats() {
+    let e = checked(quote! {
+        #[coordinates(x, y, z)]
+        #[inertia(diag(m, m, m))]
+        #[forces(0, f, -m*g)]
+        #[inputs(f)]
+        #[constraint(floor: z == 0)]
+        #[constraint(glide: dot(y) == 0)]
+        #[constraint(rail: 4*y == 1)]
+        struct Glider { m: f64, g: f64 }
+    });
+    let at = At::new(&e);
+    let lambda = at.value(&e.multipliers);
+    let of = |name: &str| lambda[e.multiplier_names.iter().position(|n| n == name).expect("it has a name")];
+    let (f, g, m) = (number(2), number(1), number(0));
+    close("floor", &[of("floor")], &[m * g], 1e-14);
+    close("glide and rail", &[of("glide"), 4.0 * of("rail")], &[-f, -f], 1e-14);
+}

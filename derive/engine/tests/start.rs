@@ -132,3 +132,95 @@ fn long_guards_have_names() {
     assert!(names.contains(&"determinant of first, second, third"), "{names:?}");
     assert!(names.iter().all(|name| !name.contains('…') && name.chars().count() <= 160), "{names:?}");
 }
+
+/// Lengths in millimetres or kilometres make no difference: what is left is compared with the terms that it is left of.
+#[test]
+fn the_start_closes_in_any_unit() {
+    let pendulum = |l: f64, factor: f64| {
+        let (x, l) = (0.6 * l, proc_macro2::Literal::f64_unsuffixed(l));
+        let (x, factor) = (proc_macro2::Literal::f64_unsuffixed(x), proc_macro2::Literal::f64_unsuffixed(factor));
+        analysed(quote! {
+            #[coordinates(x, y)]
+            #[inertia(diag(1, 1))]
+            #[forces(0, 0)]
+            #[constraint(rod: #factor*(x*x + y*y - l*l) == 0)]
+            #[start(x = #x, y = #x)]
+            struct Pendulum { #[nominal(#l)] l: f64 }
+        })
+    };
+    for (l, factor) in [(1.0, 1.0), (3e4, 1.0), (3e4, 1e3), (2e-5, 1.0), (1.0, 1e-9), (1.0, 1e9)] {
+        assert!(pendulum(l, factor).is_ok(), "{l} {factor}: {:?}", pendulum(l, factor).err());
+    }
+    // A row without a slope does not keep the others from closing.
+    let flat = analysed(quote! {
+        #[coordinates(x, y, z)]
+        #[inertia(diag(1, 1, 1))]
+        #[forces(0, 0, 0)]
+        #[constraint(flat: x*x*x + y*y - y == 0)]
+        #[constraint(height: z == 2)]
+        #[start(x = 0, y = 0.5, z = 0.5)]
+        struct Flat {}
+    });
+    assert!(
+        flat.is_err_and(|messages| messages
+            .iter()
+            .all(|text| text.contains("`flat` by") && !text.contains("`height`")))
+    );
+}
+
+/// The same pivot vanishes among large terms and among small ones.
+#[test]
+fn pivots_vanish_in_any_unit() {
+    let slide = |factor: f64| {
+        let factor = proc_macro2::Literal::f64_unsuffixed(factor);
+        quote! {
+            #[coordinates(a, b)]
+            #[inertia(diag(1, 1))]
+            #[forces(0, 0)]
+            #[constraint(slide: #factor*(sin(a) - c)*dot(a) + #factor*dot(b) == 0)]
+            #[independent(dot(b))]
+            #[start(a = PI/6)]
+            struct Slide { #[nominal(0.5)] c: f64 }
+        }
+    };
+    for factor in [1.0, 1e7, 1e-7] {
+        let message = refusal(slide(factor));
+        assert!(message.contains("#[independent(dot(a))]"), "{message}");
+    }
+}
+
+/// The line to paste comes from an elimination: after the first two rows the third leaves `dot_d` alone.
+#[test]
+fn the_independent_speeds_that_are_proposed_are_independent() {
+    let message = refusal(quote! {
+        #[coordinates(a, b, c, d, e)]
+        #[inertia(diag(1, 1, 1, 1, 1))]
+        #[forces(0, 0, 0, 0, 0)]
+        #[constraint(first: 4*dot(a) + dot(b) + dot(c) + a*dot(e) == 0)]
+        #[constraint(second: 4*dot(a) + 3*dot(b) + dot(c) + a*dot(e) == 0)]
+        #[constraint(third: 8*dot(a) + 3*dot(b) + 2*dot(c) + dot(d)/10 + 2*a*dot(e) == 0)]
+        #[independent(dot(c), dot(a))]
+        #[start(a = 0)]
+        struct Tangle {}
+    });
+    assert!(message.contains("#[independent(dot(c), dot(e))]"), "{message}");
+}
+
+/// Twice a speed is as good a speed; a chart that is no chart at the start says so.
+#[test]
+fn relative_pivots_do_not_depend_on_the_length_of_speeds() {
+    let e = analysed(quote! {
+        #[coordinates(x, y, z)]
+        #[inertia(diag(m, m, m))]
+        #[forces(0, 0, -m*g)]
+        #[constraint(level: 3*x*dot(x) + 4*dot(y) == 0)]
+        #[start(x = 1, y = 0, z = 0)]
+        #[independent(dot(x), dot(z))]
+        #[independent(fast = 10*dot(x), up = dot(z)/7)]
+        #[independent(across = 3*dot(x) + 4*x*dot(y), dot(z))]
+        struct Plane { m: f64, g: f64 }
+    })
+    .expect("the model is good");
+    let found: Vec<f64> = e.relative_pivots.iter().map(|pivot| pivot.expect("all is known")).collect();
+    assert_eq!(found, [0.8, 0.8, 0.0]);
+}

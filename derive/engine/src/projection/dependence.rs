@@ -171,8 +171,8 @@ fn contradicts_at_rest(
     let mut terms = Vec::new();
     for (j, c) in parts {
         match rows[*j].position {
-            Some(other) if graph.stage(*c) <= Stage::Parameter => terms.push(graph.mul(*c, other)),
-            _ => return false,
+            Some(other) => terms.push(graph.mul(*c, other)),
+            None => return false,
         }
     }
     let total = graph.sum(&terms);

@@ -178,11 +178,9 @@ impl Work {
         for block in found {
             let rows: Vec<usize> = block.rows.iter().map(|i| open[*i]).collect();
             let columns: Vec<usize> = block.columns.iter().map(|j| columns[*j]).collect();
-            match rows.len() {
-                1 => self.pivot(graph, simplifier, rows[0], columns[0], NEW_GUARD),
-                _ if self.block(graph, simplifier, &rows, &columns) => {}
+            if !self.block(graph, simplifier, &rows, &columns) {
                 // One row at a time; what follows may depend on it.
-                _ => return,
+                return;
             }
         }
     }

@@ -51,7 +51,7 @@ pub fn judge(
     }
     let Some(elimination) = &tangent.elimination else { return start };
     for (pivot, column) in elimination.values.iter().zip(&elimination.pivots) {
-        if graph.as_number(*pivot).is_some() || !start.knows(graph, *pivot) {
+        if !start.knows(graph, *pivot) {
             continue;
         }
         let (v, size) = start.value(graph, *pivot);
@@ -209,6 +209,31 @@ mod tests {
         };
         assert!(weights.len() == 2 && weights.iter().zip(&expected).all(close), "{weights:?}");
         assert!(dependence(&rows[1..]).is_none());
+    }
+
+    /// Whatever the lengths of the rows: a weight counts by what it adds to the row.
+    #[test]
+    fn dependence_does_not_depend_on_units() {
+        let rows = [vec![1e6, 0.0, 0.0], vec![0.0, 1e-6, 0.0], vec![2e3, 3e3, 0.0]];
+        let (row, weights) = dependence(&rows).expect("a combination");
+        let expected = [(0, 2e-3), (1, 3e9)];
+        let close = |(found, expected): (&(usize, f64), &(usize, f64))| {
+            found.0 == expected.0 && (found.1 / expected.1 - 1.0).abs() < 1e-9
+        };
+        assert!(row == 2 && weights.len() == 2 && weights.iter().zip(&expected).all(close), "{weights:?}");
+        // What is below the millionth part of the row takes no part; rows as short as that are independent.
+        let (_, weights) = dependence(&[vec![1e3, 0.0], vec![0.0, 1e3], vec![1e3, 1e-5]]).expect("a combination");
+        assert!(weights.len() == 1 && weights[0].0 == 0, "{weights:?}");
+        assert!(dependence(&[vec![1e-8, 0.0], vec![1e-8, 1e-9]]).is_none());
+        assert!(dependence(&[vec![1e8, 0.0], vec![1e8, 10.0]]).is_some());
+        let nothing = dependence(&[vec![1e6, 0.0], vec![0.0, 0.0]]).expect("a row of zeros");
+        assert_eq!(nothing, (1, Vec::new()));
+    }
+
+    #[test]
+    fn a_row_that_depends_on_others_leaves_nothing_and_hides_nothing() {
+        let left = remainders(&[vec![1.0, 0.0, 0.0], vec![2.0, 0.0, 0.0], vec![1.0, 3.0, 4.0]]);
+        assert_eq!(left, [1.0, 0.0, 5.0]);
     }
 
     #[test]

@@ -106,6 +106,79 @@ fn augment(row: usize, columns_of: &BTreeMap<usize, Vec<usize>>, row_of: &mut BT
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::symbolic::Kind;
+
+    #[test]
+    fn pivots_are_ranked_by_what_they_cost() {
+        let mut g = Graph::new();
+        let [x, m] = [("x", Kind::Coordinate), ("m", Kind::Parameter)].map(|(name, kind)| {
+            let symbol = g.symbol(name, kind);
+            g.var(symbol)
+        });
+        let two = g.integer(2);
+        let (one, minus) = (g.one(), g.neg(g.one()));
+        let cosine = g.cos(x);
+        let safe = g.add(two, cosine);
+        let scaled = g.mul(m, safe);
+        let with_guard = g.mul(scaled, cosine);
+        let ranks = |g: &Graph| [one, minus, two, m, safe, scaled, cosine, with_guard, x].map(|e| rank(g, e));
+        assert_eq!(ranks(&g), [0, 0, 1, 2, 3, 3, 5, 5, 5].map(Some));
+        g.assume_nonzero(cosine);
+        assert_eq!(ranks(&g), [0, 0, 1, 2, 3, 3, 4, 4, 5].map(Some));
+        assert_eq!(rank(&g, g.zero()), None);
+    }
+
+    /// Of two pivots that cannot vanish the one is taken that leaves the other row a safe one; a pivot that may vanish takes
+    /// nothing from anybody.
+    #[test]
+    fn the_cheapest_pivot_keeps_safe_ones_for_other_rows() {
+        let mut g = Graph::new();
+        let [x, y] = ["x", "y"].map(|name| {
+            let symbol = g.symbol(name, Kind::Coordinate);
+            g.var(symbol)
+        });
+        let (zero, one) = (g.zero(), g.one());
+        let taken = |rows: Vec<Vec<Expr>>| {
+            let matrix = Matrix::from_rows(rows, 2);
+            cheapest(&g, &matrix, &[None, None], &[true, true]).map(|(i, j, _)| (i, j))
+        };
+        // Column 0 is the only safe one of the second row.
+        assert_eq!(taken(vec![vec![one, one], vec![one, x]]), Some((0, 1)));
+        assert_eq!(taken(vec![vec![x, zero], vec![y, y]]), Some((0, 0)));
+        assert_eq!(taken(vec![vec![zero, zero], vec![zero, y]]), Some((1, 1)));
+    }
+
+    /// Against all ways to give rows columns of their own.
+    #[test]
+    fn matchings_are_those_of_a_search_through_all() {
+        fn most(rows: &[Vec<usize>], taken: &mut Vec<usize>) -> usize {
+            let Some((first, others)) = rows.split_first() else { return 0 };
+            let mut best = most(others, taken);
+            for column in first {
+                if !taken.contains(column) {
+                    taken.push(*column);
+                    best = best.max(1 + most(others, taken));
+                    taken.pop();
+                }
+            }
+            best
+        }
+        let mut seed = 1_u64;
+        for _ in 0..400 {
+            let mut rows = vec![Vec::new(); 6];
+            for (i, row) in rows.iter_mut().enumerate() {
+                for j in 0..6 {
+                    seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                    if (seed >> 60) < 3 + i as u64 % 3 {
+                        row.push(j);
+                    }
+                }
+            }
+            let entries: Vec<(usize, usize)> =
+                rows.iter().enumerate().flat_map(|(i, row)| row.iter().map(move |j| (i, *j))).collect();
+            assert_eq!(matching(&entries, None), most(&rows, &mut Vec::new()), "{rows:?}");
+        }
+    }
 
     #[test]
     fn matchings_are_the_largest() {
