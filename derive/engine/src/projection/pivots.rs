@@ -137,13 +137,16 @@ mod tests {
             let symbol = g.symbol(name, Kind::Coordinate);
             g.var(symbol)
         });
-        let (zero, one) = (g.zero(), g.one());
+        let (zero, one, cosine) = (g.zero(), g.one(), g.cos(x));
+        let two = g.integer(2);
+        let safe = g.add(two, cosine);
         let taken = |rows: Vec<Vec<Expr>>| {
             let matrix = Matrix::from_rows(rows, 2);
             cheapest(&g, &matrix, &[None, None], &[true, true]).map(|(i, j, _)| (i, j))
         };
         // Column 0 is the only safe one of the second row.
         assert_eq!(taken(vec![vec![one, one], vec![one, x]]), Some((0, 1)));
+        assert_eq!(taken(vec![vec![safe, safe], vec![safe, x]]), Some((0, 1)));
         assert_eq!(taken(vec![vec![x, zero], vec![y, y]]), Some((0, 0)));
         assert_eq!(taken(vec![vec![zero, zero], vec![zero, y]]), Some((1, 1)));
     }
