@@ -77,24 +77,22 @@ impl Forms {
             }
         }
     }
-}
 
-impl Forms {
-    /// The forms of a group that weigh least, those that it has among them, with their weight.
+    /// The forms of a group that weigh least, those that it has among them.
     pub fn lightest(
         &mut self,
         graph: &mut Graph,
         roots: &[Expr],
         weigh: impl Fn(&mut Graph, &[Expr]) -> usize,
-    ) -> (usize, Vec<Expr>) {
+    ) -> Vec<Expr> {
         let found = self.closed(graph, roots, |forms, graph, roots| candidates(graph, roots, forms.search).concat());
         let all = found.chunks(roots.len().max(1)).map(<[Expr]>::to_vec).chain([roots.to_vec()]);
         let weighed = all.map(|form| (weigh(graph, &form), form)).enumerate();
-        let lightest = weighed.min_by_key(|(i, (weight, _))| (*weight, *i)).map(|(_, found)| found);
-        let (weight, lightest) = lightest.unwrap_or_else(|| (0, roots.to_vec()));
+        let lightest = weighed.min_by_key(|(i, (weight, _))| (*weight, *i)).map(|(_, (_, form))| form);
+        let lightest = lightest.unwrap_or_else(|| roots.to_vec());
         self.done.push(Set::of(&lightest));
         self.close(graph, &lightest, SETTLED_TOGETHER);
-        (weight, lightest)
+        lightest
     }
 }
 

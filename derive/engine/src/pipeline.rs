@@ -139,18 +139,12 @@ fn equations(
             equations
         }
         _ => {
-            // Entries in their cheapest forms may hide what the whole has in common: the plain equations are tried, too.
-            let plain = project(system.clone(), &mut AsIs).ok();
             let mut forms = Forms::new(search);
             let mut equations = project(system, &mut forms)?;
             after(Step::Projection, equations.graph.len());
-            let weight = cheapen(&mut equations, &mut forms);
+            cheapen(&mut equations, &mut forms);
             unchanged(&equations.graph, &declarations.ident)?;
-            let plain = plain.map(|mut plain| (motion(&mut plain), plain));
-            match plain {
-                Some((lighter, plain)) if lighter < weight => plain,
-                _ => equations,
-            }
+            equations
         }
     };
     let mut errors = Diagnostics::new();
@@ -181,29 +175,15 @@ fn unchanged(graph: &Graph, model: &Ident) -> Result<(), Diagnostics> {
     errors.result(())
 }
 
-/// What the program for a run weighs.
-fn motion(equations: &mut Equations) -> usize {
-    let mut graph = std::mem::take(&mut equations.graph);
-    let roots: Vec<Expr> = equations.groups().swap_remove(0).into_iter().map(|e| *e).collect();
-    let weight = program::weight(&mut graph, &roots);
-    equations.graph = graph;
-    weight
-}
-
 /// Replaces every group of expressions that is computed together by its cheapest form. What a run needs is the first of them: its
-/// forms are compared by the programs that they become, whose weight is returned.
-fn cheapen(equations: &mut Equations, forms: &mut Forms) -> usize {
+/// forms are compared by the programs that they become.
+fn cheapen(equations: &mut Equations, forms: &mut Forms) {
     let mut graph = std::mem::take(&mut equations.graph);
-    let mut first = None;
-    for group in equations.groups() {
+    for (at, group) in equations.groups().into_iter().enumerate() {
         let roots: Vec<Expr> = group.iter().map(|e| **e).collect();
-        let cheaper = match first {
-            Some(_) => forms.all(&mut graph, &roots),
-            None => {
-                let (weight, lightest) = forms.lightest(&mut graph, &roots, program::weight);
-                first = Some(weight);
-                lightest
-            }
+        let cheaper = match at {
+            0 => forms.lightest(&mut graph, &roots, program::weight),
+            _ => forms.all(&mut graph, &roots),
         };
         group.into_iter().zip(cheaper).for_each(|(e, new)| *e = new);
     }
@@ -216,7 +196,6 @@ fn cheapen(equations: &mut Equations, forms: &mut Forms) -> usize {
             *group = forms.all(graph, group);
         }
     }
-    first.unwrap_or_default()
 }
 
 #[cfg(test)]
