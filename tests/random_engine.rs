@@ -112,9 +112,13 @@ fn random_systems_as_emitted_agree_with_the_oracle() {
         "{}",
         (0..=10).map(|i| format!(" {:.0} %", 100.0 * gains[i * (gains.len() - 1) / 10])).collect::<String>()
     );
-    // One model may be dearer: its entries in their cheapest forms may hide what they have in common.
+    // A model may be dearer: its entries in their cheapest forms may hide what they have in common.
     let total = |of: fn(&(usize, usize)) -> usize| costs.iter().map(of).sum::<usize>();
     let dearer = costs.iter().filter(|(found, plain)| found > plain).count();
     println!("{dearer} are dearer; all together {} instead of {}", total(|c| c.0), total(|c| c.1));
-    assert!(10 * dearer < costs.len() && total(|c| c.0) < total(|c| c.1), "{dearer} are dearer");
+    assert!(
+        total(|c| c.0) < total(|c| c.1) && gains[0] > -0.5,
+        "{dearer} are dearer, one by {:.0} %",
+        -100.0 * gains[0]
+    );
 }
