@@ -8,6 +8,7 @@ use random::first;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
+use support::declared;
 
 /// Files with models, all of which go through the derive.
 const SOURCES: [&str; 8] = [
@@ -29,15 +30,7 @@ const WRITE_TO: &str = "HOLONOMY_EXPANSIONS";
 fn models() -> Vec<syn::ItemStruct> {
     let generated = first(RANDOM, 7).into_iter().map(|model| model.source);
     let sources = SOURCES.iter().map(ToString::to_string).chain(generated);
-    let items = sources.flat_map(|source| syn::parse_file(&source).expect("the models are Rust").items);
-    let structs = items.filter_map(|item| match item {
-        syn::Item::Struct(mut item) => {
-            item.attrs.retain(|a| !a.path().is_ident("derive"));
-            Some(item)
-        }
-        _ => None,
-    });
-    structs.collect()
+    sources.flat_map(|source| declared::models(&source)).collect()
 }
 
 fn expansion(model: &syn::ItemStruct) -> String {

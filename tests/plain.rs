@@ -8,9 +8,10 @@ use quote::ToTokens;
 use random::first;
 use std::fs;
 use std::path::Path;
+use support::declared;
 
-/// The structs that an expansion declares, and the associated types and lengths of its implementation.
-fn declared(tokens: proc_macro2::TokenStream, model: &str) -> Vec<String> {
+/// The structs that an expansion declares, and the associated types of its implementation.
+fn types(tokens: proc_macro2::TokenStream, model: &str) -> Vec<String> {
     let file: syn::File = syn::parse2(tokens).unwrap_or_else(|e| panic!("{model}: {e}"));
     let mut found = Vec::new();
     let mut open = file.items;
@@ -38,20 +39,10 @@ fn declared(tokens: proc_macro2::TokenStream, model: &str) -> Vec<String> {
 
 fn models() -> Vec<syn::ItemStruct> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/models");
-    let mut files: Vec<_> =
-        fs::read_dir(folder).expect("a folder").map(|file| file.expect("an entry").path()).collect();
-    files.sort();
-    let sources = files.iter().map(|file| fs::read_to_string(file).expect("a text"));
+    let files = declared::rust_files(&folder).into_iter();
+    let sources = files.map(|file| fs::read_to_string(file).expect("a text"));
     let generated = first(60, 61).into_iter().map(|model| model.source);
-    let items = sources.chain(generated).flat_map(|source| syn::parse_file(&source).expect("Rust").items);
-    let structs = items.filter_map(|item| match item {
-        syn::Item::Struct(mut item) => {
-            item.attrs.retain(|a| !a.path().is_ident("derive"));
-            Some(item)
-        }
-        _ => None,
-    });
-    structs.collect()
+    sources.chain(generated).flat_map(|source| declared::models(&source)).collect()
 }
 
 #[test]
@@ -60,7 +51,7 @@ fn the_types_do_not_depend_on_the_search_for_cheaper_forms() {
     for model in models() {
         let name = model.ident.to_string();
         let [full, plain] = [holonomy_engine::expand, holonomy_engine::expand_plainly]
-            .map(|expand| declared(expand(model.to_token_stream()), &name));
+            .map(|expand| types(expand(model.to_token_stream()), &name));
         assert!(full.len() > 5, "{name}: {full:?}");
         // Prepared values are another matter: what parameters are combined to depends on the forms.
         let values = format!("{name}Values");

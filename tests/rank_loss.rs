@@ -193,15 +193,14 @@ fn a_slider_crank_ends_where_its_branches_meet() {
         let run = &stopped.trajectory;
         let steps = run.statistics().accepted + run.statistics().rejected;
         assert!(steps < 2000, "{number}: {steps} steps");
-        let energy = |index: usize| {
-            let ((t, s), v) = (run.iter().nth(index).expect("a step"), &run.velocities()[index]);
+        let energies = run.iter().zip(run.velocities()).map(|((t, s), v)| {
             let x = model.coordinates(t, s);
             (model.kinetic_energy(t, &x, v), model.potential_energy(t, &x).expect("it has one"))
-        };
-        let at_start = energy(0).0 + energy(0).1;
-        let most = (0..run.times().len()).map(|index| energy(index).0).fold(at_start.abs(), f64::max);
-        for index in 0..run.times().len() {
-            let (kinetic, potential) = energy(index);
+        });
+        let energies: Vec<(f64, f64)> = energies.collect();
+        let at_start = energies[0].0 + energies[0].1;
+        let most = energies.iter().fold(at_start.abs(), |most, (kinetic, _)| most.max(*kinetic));
+        for (index, (kinetic, potential)) in energies.iter().enumerate() {
             let lost = (kinetic + potential - at_start).abs() / most;
             assert!(lost < 100.0 * tolerance.max(1e-11), "{number}: {lost:e} at step {index} of {steps}");
         }

@@ -142,7 +142,8 @@ pub enum Error {
     Dependent {
         /// The rows of C that take part.
         rows: Vec<&'static str>,
-        /// The smallest singular value of C relative to the largest, rows scaled to one size.
+        /// The smallest singular value of C relative to the largest, rows scaled to one size; in a run what is left of the smallest
+        /// pivot of C, or of the length of a row, relative to the largest value that it had, and zero where the rows have turned over.
         value: f64,
         /// The guard of the model that vanishes with the rank, if one does.
         guard: Option<&'static str>,

@@ -29,7 +29,7 @@ const LOST: f64 = 1e-5;
 pub(super) type Baumgarte = Option<(f64, f64)>;
 
 /// How well the rows of C told directions apart, at best: with it is compared how well they do.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(super) struct Strength {
     /// The largest lengths of the rows.
     rows: Vec<f64>,

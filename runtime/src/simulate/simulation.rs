@@ -137,8 +137,8 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
     /// Which charts the run may use: it changes them otherwise, so that no choice of independent speeds ends it.
     ///
     /// A run leaves a chart that is steeper than [`STEEP`](super::STEEP) for the flattest of the model's charts that is flatter than
-    /// [`FLAT`](super::FLAT), and works in the general one, all velocities with the numerical null space of C (3.5), while there is none. Steps, accuracy
-    /// and step size are the same in all; the general chart takes longer.
+    /// [`FLAT`](super::FLAT), and works in the general one, all velocities with the numerical null space of C (3.5), while there is
+    /// none. Steps, accuracy and step size are the same in all; the general chart takes longer.
     #[must_use]
     pub fn charts(mut self, charts: Charts) -> Self {
         self.charts = charts;
@@ -309,7 +309,8 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
     /// Integrates to `end`, which may also lie before the start.
     ///
     /// The start must satisfy the constraints to [`START_TOLERANCE`](super::START_TOLERANCE). After every step the guards are judged
-    /// (see [`SINGULAR`](super::SINGULAR)), and where the state holds the coordinates of position constraints these are brought back onto f = 0.
+    /// (see [`SINGULAR`](super::SINGULAR)), and where the state holds the coordinates of position constraints these are brought back
+    /// onto f = 0.
     pub fn until(self, end: f64) -> Result<Trajectory<M>, Box<Interrupted<M>>> {
         let method = self.method;
         let velocities = match self.velocities {
