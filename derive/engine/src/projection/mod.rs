@@ -55,6 +55,7 @@ pub mod tangent;
 mod tests;
 
 pub use equations::{ChartEquations, Equations, Guard, GuardKind, Level, RowFacts};
+pub use motion::{COMPLIANCE_PIVOT, INERTIA_PIVOT};
 pub use outputs::{OutputFacts, Outputs};
 pub use project::{TANGENT_PIVOT, project};
 

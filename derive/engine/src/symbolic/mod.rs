@@ -18,6 +18,7 @@
 //! | [`identity`] | identity decided by modular evaluation |
 //! | [`tables`] | sets of expressions and tables over them |
 //! | [`samples`] | values in double precision, for what holds roots |
+//! | [`powers`] | expressions that are powers of others |
 //! | [`matrix`] | matrices of expressions |
 //! | [`display`] | text for messages and documentation |
 
@@ -35,6 +36,7 @@ pub mod matrix;
 pub mod minors;
 pub mod modular;
 pub mod node;
+pub mod powers;
 pub mod rational;
 pub mod samples;
 pub mod substitute;
