@@ -21,6 +21,7 @@
 //! | [`powers`] | expressions that are powers of others |
 //! | [`matrix`] | matrices of expressions |
 //! | [`display`] | text for messages and documentation |
+//! | [`unicode`] | names as in print |
 
 pub mod blocks;
 pub mod bounds;
@@ -41,10 +42,12 @@ pub mod rational;
 pub mod samples;
 pub mod substitute;
 pub mod tables;
+pub mod unicode;
 #[cfg(test)]
 mod tests;
 
 pub use construct::Assumptions;
+pub use display::{Notation, Parts};
 pub use evaluate::Algebra;
 pub use given::Given;
 pub use graph::Graph;
