@@ -111,7 +111,11 @@ impl Plain {
             let plain: Vec<Vec<Expr>> = self.groups[1..].to_vec();
             let sound = |(own, plain): (&Vec<Expr>, &Vec<Expr>)| self.sound(&mut graph, Compared { own, plain });
             if others.iter().zip(&plain).all(sound) {
-                found = Some((motion, self.guards.clone()));
+                let mut guards = self.at_hand(&mut graph, &equations.guards, false);
+                guards.retain(|guard| self.guards.iter().any(|plain| plain.expr == guard.expr));
+                let rest = self.guards.iter().filter(|plain| guards.iter().all(|guard| guard.expr != plain.expr));
+                let rest: Vec<Guard> = rest.cloned().collect();
+                found = Some((motion, [guards, rest].concat()));
                 for (group, plain) in equations.groups().into_iter().skip(1).zip(plain) {
                     group.into_iter().zip(plain).for_each(|(e, new)| *e = new);
                 }
@@ -149,26 +153,28 @@ impl Plain {
         known
     }
 
-    /// The guards in the form that the plain equations have at hand, which vanish where they do. If asked, those stay whose name
-    /// is the text of their figure, unless the figure is the same.
+    /// The guards in the form that the plain equations have at hand, which vanish where they do. A guard keeps its name where the
+    /// figure differs by a factor that does not change during a run; if it is `told`, by the text of its figure, it keeps the figure.
     fn at_hand(&mut self, graph: &mut Graph, guards: &[Guard], told: bool) -> Vec<Guard> {
         let (mut found, mut open) = (guards.to_vec(), (0..guards.len()).collect::<Vec<usize>>());
         for plain in &self.guards {
             let Some(powers) = self.powers.find(graph, plain.expr) else { continue };
             let same = |at: &usize| guards[*at].kind == plain.kind && powers.contains(&(guards[*at].expr, 1));
             let Some(place) = open.iter().position(same) else { continue };
-            let at = open[place];
+            let at = open.remove(place);
+            let varying = powers.iter().filter(|(e, _)| graph.stage(*e) > Stage::Parameter).count();
             if graph.identical(guards[at].expr, plain.expr) {
                 (found[at].expr, found[at].start) = (plain.expr, plain.start);
-            } else if !told || guards[at].name != graph.display(guards[at].expr) {
-                found[at] = plain.clone();
-            } else {
+            } else if told && guards[at].name == graph.display(guards[at].expr) {
                 continue;
+            } else if varying == 1 {
+                (found[at].expr, found[at].start) = (plain.expr, plain.start);
+            } else {
+                found[at] = plain.clone();
             }
-            open.remove(place);
         }
         // Signed factors of pivots, cos θ of J cos² θ, are seen to change their sign; other pivots may be those of another order.
-        if !told {
+        if !told && open.iter().any(|at| definite(&guards[*at])) {
             let signed = |guard: &Guard| guard.kind == GuardKind::Pivot && PIVOTS.contains(&guard.origin.as_str());
             if !guards.iter().chain(&self.guards).any(signed) {
                 found.retain(|guard| !definite(guard));

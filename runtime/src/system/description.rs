@@ -147,7 +147,7 @@ pub struct OutputInfo {
 /// A figure that tells whether a state, or a set of parameters, is a regular one.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub struct GuardInfo {
-    /// The expression, as text.
+    /// The expression, as text, or what it is. The figure may be the expression times parameters.
     pub name: &'static str,
     /// What the figure must satisfy.
     pub kind: GuardKind,
