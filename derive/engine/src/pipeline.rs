@@ -1,12 +1,12 @@
 //! The steps in order, from tokens to tokens.
 
 use crate::forms::Forms;
+use crate::plain::Plain;
 use crate::projection::{AsIs, Equations, Simplifier, TANGENT_PIVOT, guards, messages, outputs, project};
 use crate::simplify::Search;
 use crate::symbolic::{Expr, Graph};
 use crate::syntax::{Declarations, Diagnostics};
 use crate::target::{known, target};
-use crate::plain::Plain;
 use crate::{emit, model, orders, program, syntax};
 use proc_macro2::{Ident, TokenStream};
 
@@ -187,9 +187,7 @@ fn cheapen(equations: &mut Equations, forms: &mut Forms, mut plain: Option<Plain
         let roots: Vec<Expr> = group.iter().map(|e| **e).collect();
         let cheaper = match (at, &mut plain) {
             (0, _) => forms.lightest(&mut graph, &roots, program::weight),
-            (_, Some(plain)) => {
-                plain.lighter(&mut graph, at, &roots).unwrap_or_else(|| forms.all(&mut graph, &roots))
-            }
+            (_, Some(plain)) => plain.lighter(&mut graph, at, &roots).unwrap_or_else(|| forms.all(&mut graph, &roots)),
             _ => forms.all(&mut graph, &roots),
         };
         group.into_iter().zip(cheaper).for_each(|(e, new)| *e = new);

@@ -58,13 +58,8 @@ impl Plain {
         quantities.extend(divisors(&graph, &own.concat()));
         quantities.extend(equations.graph.cancelled());
         let powers = Powers::of(&graph, &quantities);
-        let mut plain = Plain {
-            groups: groups(&mut plain),
-            guards: plain.guards,
-            powers,
-            judged: Vec::new(),
-            work: DIVISOR_WORK,
-        };
+        let mut plain =
+            Plain { groups: groups(&mut plain), guards: plain.guards, powers, judged: Vec::new(), work: DIVISOR_WORK };
         let cancelled: Vec<Expr> = graph.cancelled().collect();
         let sound = cancelled.into_iter().all(|e| plain.covers(&mut graph, e));
         if !sound {
@@ -144,11 +139,12 @@ impl Plain {
         }
         let mut made = |graph: &mut Graph, e| graph.bounds(e).exclude_zero() || self.powers.find(graph, e).is_some();
         let small = graph.reachable_beyond(&[divisor], Stage::Parameter).len() <= OPENED;
-        let known = made(graph, divisor) || small && {
-            let normal = normalise_within(graph, divisor, &mut self.work);
-            let factors = graph.as_term(normal).1;
-            factors.into_iter().all(|(base, _)| base != divisor && made(graph, base))
-        };
+        let known = made(graph, divisor)
+            || small && {
+                let normal = normalise_within(graph, divisor, &mut self.work);
+                let factors = graph.as_term(normal).1;
+                factors.into_iter().all(|(base, _)| base != divisor && made(graph, base))
+            };
         self.judged.push((divisor, known));
         known
     }
@@ -199,7 +195,8 @@ fn groups(equations: &mut Equations) -> Vec<Vec<Expr>> {
 
 /// Puts the symbols of these equations for those of the plain ones; `false` where they are about other quantities.
 fn about_the_same(equations: &Equations, plain: &mut Equations) -> bool {
-    let lists = |e: &Equations| [e.state_coordinates.clone(), e.state_speeds.clone(), e.reduced_speeds.clone()].concat();
+    let lists =
+        |e: &Equations| [e.state_coordinates.clone(), e.state_speeds.clone(), e.reduced_speeds.clone()].concat();
     let (own, other) = (lists(equations), lists(plain));
     let named = |list: &[Symbol]| list.iter().map(|s| plain.graph.name(*s).to_owned()).collect::<Vec<_>>();
     if named(&own) != named(&other) {

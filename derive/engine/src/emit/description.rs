@@ -9,7 +9,13 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// The constant that describes the model.
-pub fn model(target: &Target, types: &Types, equations: &Equations, programs: &Programs, texts: &Texts<'_>) -> TokenStream {
+pub fn model(
+    target: &Target,
+    types: &Types,
+    equations: &Equations,
+    programs: &Programs,
+    texts: &Texts<'_>,
+) -> TokenStream {
     let krate = &target.krate;
     let e = equations;
     let known = &types.known;

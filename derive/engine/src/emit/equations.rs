@@ -81,9 +81,8 @@ impl<'a> Texts<'a> {
     pub fn new(e: &'a Equations) -> Self {
         let mut c = Collector { equations: e, entries: Vec::new() };
         let configured = e.state_coordinates != e.coordinates;
-        let names = |symbols: &[Symbol]| -> Vec<String> {
-            symbols.iter().map(|s| e.graph.name(*s).to_owned()).collect()
-        };
+        let names =
+            |symbols: &[Symbol]| -> Vec<String> { symbols.iter().map(|s| e.graph.name(*s).to_owned()).collect() };
         // Section 4 of the paper where x = g(q, t) is given, section 5 otherwise.
         let number = |holonomic, otherwise| if configured { holonomic } else { otherwise };
         c.each("derivative", number("(4.3)", "(5.7)"), c.dots(&e.state_coordinates), &e.coordinate_rates);

@@ -18,8 +18,7 @@ pub fn laid_out(before: &str, rows: &[Vec<String>]) -> Vec<String> {
     if count == 0 {
         return vec![format!("{before}[]")];
     }
-    let widths: Vec<usize> =
-        (0..count).map(|j| rows.iter().map(|row| columns(&row[j])).max().unwrap_or(0)).collect();
+    let widths: Vec<usize> = (0..count).map(|j| rows.iter().map(|row| columns(&row[j])).max().unwrap_or(0)).collect();
     let last = rows.len() - 1;
     let line = |(i, row): (usize, &Vec<String>)| {
         let (open, close) = match i {
@@ -29,8 +28,11 @@ pub fn laid_out(before: &str, rows: &[Vec<String>]) -> Vec<String> {
             _ => ('⎢', '⎥'),
         };
         let indent = if i == 0 { before.to_owned() } else { " ".repeat(columns(before)) };
-        let cells: Vec<String> =
-            row.iter().zip(&widths).map(|(cell, width)| format!("{cell}{}", " ".repeat(width - columns(cell)))).collect();
+        let cells: Vec<String> = row
+            .iter()
+            .zip(&widths)
+            .map(|(cell, width)| format!("{cell}{}", " ".repeat(width - columns(cell))))
+            .collect();
         format!("{indent}{open}{}{close}", cells.join("  "))
     };
     rows.iter().enumerate().map(line).collect()

@@ -249,12 +249,8 @@ fn prepare(target: &Target, types: &Types, programs: &Programs) -> TokenStream {
     let parameters = types.of(target, &types.parameters, &quote!(f64));
     let given = types.of(target, &types.parameters, &quote!(#scalar));
     let prepared = types.of(target, &types.values, &quote!(#scalar));
-    let about = docs(
-        "values",
-        "Checks the parameters and does the work that depends on them alone.",
-        &values.count,
-        None,
-    );
+    let about =
+        docs("values", "Checks the parameters and does the work that depends on them alone.", &values.count, None);
     let own = doc("The parameters as they stand in the struct.");
     quote! {
         #own

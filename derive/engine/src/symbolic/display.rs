@@ -1,7 +1,7 @@
 //! Text for messages and documentation.
 
-use super::{Expr, Function, Graph, Node, Rational, unicode};
 use super::tables::Set;
+use super::{Expr, Function, Graph, Node, Rational, unicode};
 use std::collections::HashMap;
 
 /// A subexpression whose text would be longer than this is printed as `…`.
@@ -165,8 +165,15 @@ impl Graph {
                         _ => format!("({}){}", texts[base].0, unicode::superscript(k)),
                     },
                 };
+                // `cos θ·ω` could be read as the cosine of a product.
+                let open = |b: &Expr| {
+                    notation == Notation::Unicode
+                        && matches!(self.node(*b), Node::Function(Function::Sin | Function::Cos, _))
+                };
+                let (first, last): (Vec<&(Expr, i32)>, Vec<&(Expr, i32)>) =
+                    factors.iter().filter(|f| f.1 > 0).partition(|f| !open(&f.0));
                 let above: Vec<String> =
-                    factors.iter().filter(|f| f.1 > 0).map(|(b, k)| power(b, k.unsigned_abs())).collect();
+                    first.into_iter().chain(last).map(|f| power(&f.0, f.1.unsigned_abs())).collect();
                 let below: Vec<String> =
                     factors.iter().filter(|f| f.1 < 0).map(|(b, k)| power(b, k.unsigned_abs())).collect();
                 let mut out = if above.is_empty() { "1".to_owned() } else { above.join(times) };
@@ -271,7 +278,7 @@ mod tests {
             .map(|notation| g.display_over(&[e], &Parts::default(), notation).remove(0));
         assert_eq!(model, g.display(e));
         assert_eq!(model, "cos(theta - q1)*sqrt(m) - m*powi(r, 2)*powi(sin(theta), 2)/cos(q1)");
-        assert_eq!(print, "cos(θ − q₁)·√m − m·r²·sin² θ/cos q₁");
+        assert_eq!(print, "√m·cos(θ − q₁) − m·r²·sin² θ/cos q₁");
     }
 
     #[test]

@@ -42,9 +42,9 @@ pub mod rational;
 pub mod samples;
 pub mod substitute;
 pub mod tables;
-pub mod unicode;
 #[cfg(test)]
 mod tests;
+pub mod unicode;
 
 pub use construct::Assumptions;
 pub use display::{Notation, Parts};

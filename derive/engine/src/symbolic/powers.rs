@@ -106,9 +106,8 @@ fn fitted(right: &Sampled, columns: &[(usize, &Sampled)]) -> Option<Vec<(usize, 
     let centred: Vec<Vec<f64>> = columns.iter().map(|(_, values)| centred(values)).collect();
     let whole: Vec<i32> = least_squares(&centred, &right).iter().map(|k| k.round() as i32).collect();
     // Digits may be lost at some of the points, and with them the mean: two points at a time.
-    let rest = |at: usize| {
-        right[at] - centred.iter().zip(&whole).map(|(column, k)| column[at] * f64::from(*k)).sum::<f64>()
-    };
+    let rest =
+        |at: usize| right[at] - centred.iter().zip(&whole).map(|(column, k)| column[at] * f64::from(*k)).sum::<f64>();
     let mut rests: Vec<f64> = (0..right.len()).map(rest).collect();
     rests.sort_by(f64::total_cmp);
     let fits = rests[3 * rests.len() / 4] - rests[rests.len() / 4] < FITS;

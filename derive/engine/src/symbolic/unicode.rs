@@ -40,6 +40,8 @@ const GREEK: [(&str, char); 34] = [
 
 /// Over the letter before it.
 const DOT: char = '\u{307}';
+/// The same twice.
+const DOTS: &str = "\u{308}";
 
 /// A name as in print: `theta_1` is θ₁, `dot_x` and `dot(x)` are ẋ, `m[3]` is m₃, `lambda(rod)` is λ(rod). Two names that differ stay
 /// different.
@@ -59,6 +61,9 @@ pub fn name(name: &str) -> String {
 /// A name with a dot over its letter; over a word it would not be seen.
 fn dotted(inner: &str) -> String {
     let inner = name(inner);
+    if inner.contains(DOT) {
+        return inner.replacen(DOT, DOTS, 1);
+    }
     let letters = inner.chars().take_while(|c| c.is_alphabetic()).count();
     match letters {
         1 => {
@@ -129,6 +134,7 @@ mod tests {
             ("dot_x", "x\u{307}"),
             ("dot(v6)", "v\u{307}₆"),
             ("dot_theta", "θ\u{307}"),
+            ("dot(dot_a1)", "a\u{308}₁"),
             ("dot(crank)", "dcrank/dt"),
             ("lambda(no_slip_1)", "λ(no_slip_1)"),
             ("phi(rod)", "φ(rod)"),
