@@ -16,7 +16,7 @@ use support::splitmix::SplitMix;
 
 const STATES: usize = 2;
 /// How many go through the engine's simplification as well.
-const EMITTED: usize = 500;
+const EMITTED: usize = 1000;
 
 /// States are this far from where a model changes between its cases.
 const BETWEEN_CASES: f64 = 1e-9;

@@ -118,4 +118,8 @@ impl Simplifier for Forms {
     fn settle(&mut self, graph: &mut Graph, settled: &[Expr]) {
         self.close(graph, settled, SETTLED_ALONE);
     }
+
+    fn keep(&mut self, graph: &mut Graph, e: Expr) {
+        self.close(graph, &[e], 0);
+    }
 }

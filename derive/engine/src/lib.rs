@@ -9,6 +9,7 @@ mod forms;
 pub mod model;
 mod orders;
 pub mod pipeline;
+mod plain;
 pub mod program;
 pub mod projection;
 pub mod simplify;

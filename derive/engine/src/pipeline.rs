@@ -6,6 +6,7 @@ use crate::simplify::Search;
 use crate::symbolic::{Expr, Graph};
 use crate::syntax::{Declarations, Diagnostics};
 use crate::target::{known, target};
+use crate::plain::Plain;
 use crate::{emit, model, orders, program, syntax};
 use proc_macro2::{Ident, TokenStream};
 
@@ -140,9 +141,12 @@ fn equations(
         }
         _ => {
             let mut forms = Forms::new(search);
+            let initial = system.clone();
             let mut equations = project(system, &mut forms)?;
             after(Step::Projection, equations.graph.len());
-            cheapen(&mut equations, &mut forms);
+            let plain = Plain::of(&mut equations, initial);
+            cheapen(&mut equations, &mut forms, plain);
+            cheapen_outputs(&mut equations, &mut forms);
             unchanged(&equations.graph, &declarations.ident)?;
             equations
         }
@@ -175,20 +179,29 @@ fn unchanged(graph: &Graph, model: &Ident) -> Result<(), Diagnostics> {
     errors.result(())
 }
 
-/// Replaces every group of expressions that is computed together by its cheapest form. What a run needs is the first of them: its
-/// forms are compared by the programs that they become.
-fn cheapen(equations: &mut Equations, forms: &mut Forms) {
+/// Replaces every group of expressions that is computed together by its cheapest form, or by how it comes without any forms. What
+/// a run needs is the first of them: its forms are compared by the programs that they become.
+fn cheapen(equations: &mut Equations, forms: &mut Forms, mut plain: Option<Plain>) {
     let mut graph = std::mem::take(&mut equations.graph);
     for (at, group) in equations.groups().into_iter().enumerate() {
         let roots: Vec<Expr> = group.iter().map(|e| **e).collect();
-        let cheaper = match at {
-            0 => forms.lightest(&mut graph, &roots, program::weight),
+        let cheaper = match (at, &mut plain) {
+            (0, _) => forms.lightest(&mut graph, &roots, program::weight),
+            (_, Some(plain)) => {
+                plain.lighter(&mut graph, at, &roots).unwrap_or_else(|| forms.all(&mut graph, &roots))
+            }
             _ => forms.all(&mut graph, &roots),
         };
         group.into_iter().zip(cheaper).for_each(|(e, new)| *e = new);
     }
     equations.graph = graph;
-    // Outputs are made of what has become cheaper.
+    if let Some(plain) = &mut plain {
+        plain.lighten_motion(equations);
+    }
+}
+
+/// The same for the outputs, which are made of what has become cheaper.
+fn cheapen_outputs(equations: &mut Equations, forms: &mut Forms) {
     outputs::bind(equations);
     let Equations { graph, outputs, .. } = equations;
     for group in [&mut outputs.values, &mut outputs.carried] {

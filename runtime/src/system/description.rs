@@ -213,8 +213,10 @@ pub enum GuardKind {
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Equation {
-    /// The symbol that it defines: `M_d`.
+    /// The symbol that it defines: `M_d`. Long equations are written over parts `e1`, `e2`, …, which stand before them.
     pub symbol: &'static str,
+    /// The emitted function that computes it: `mass_matrix`; empty for a part of others.
+    pub function: &'static str,
     /// The equation's number in the paper: `(4.10)`.
     pub source: &'static str,
     /// The equation.

@@ -1,6 +1,6 @@
 //! The functions of the trait.
 
-use super::description::Texts;
+use super::equations::Texts;
 use super::shape::Types;
 use super::target::Target;
 use super::text::Writer;
@@ -72,7 +72,7 @@ pub fn signature(
 }
 
 /// The function with its doc comment.
-pub fn function(target: &Target, types: &Types, programs: &Programs, program: &Program, texts: &Texts) -> Emitted {
+pub fn function(target: &Target, types: &Types, programs: &Programs, program: &Program, texts: &Texts<'_>) -> Emitted {
     let entry = &program.entry;
     let shapes: Vec<Shape> = entry.outputs.iter().map(|o| o.shape).collect();
     let signature = signature(target, types, &entry.name, None, entry.arguments, &shapes);
@@ -119,7 +119,7 @@ pub fn function(target: &Target, types: &Types, programs: &Programs, program: &P
         many => body.push_str(&format!("({})", many.join(", "))),
     }
     let body = tokens(&body);
-    let docs = docs(&entry.name, entry.law, &program.count, texts);
+    let docs = docs(&entry.name, entry.law, &program.count, Some(texts));
     let inline = program.inline.then(|| quote!(#[inline]));
     Emitted { function: quote!(#docs #inline #signature { #body }), parts }
 }
@@ -155,15 +155,20 @@ pub fn tokens(text: &str) -> TokenStream {
 }
 
 /// The law, the cost, and the equations where they stay readable.
-pub fn docs(function: &str, law: &str, count: &Count, texts: &Texts) -> TokenStream {
+pub fn docs(function: &str, law: &str, count: &Count, texts: Option<&Texts<'_>>) -> TokenStream {
     let mut lines = vec![law.to_owned(), String::new(), cost(count)];
-    let equations = texts.of(function);
-    let length: usize = equations.iter().map(|(symbol, _, text)| symbol.len() + text.len()).sum();
-    if !equations.is_empty() && length <= 4000 {
-        lines.push(String::new());
-        lines.push("```text".to_owned());
-        lines.extend(equations.iter().map(|(symbol, _, text)| format!("{symbol} = {text}")));
-        lines.push("```".to_owned());
+    match texts.map(|texts| texts.of(function)) {
+        Some(Some(equations)) if !equations.is_empty() => {
+            lines.push(String::new());
+            lines.push("```text".to_owned());
+            lines.extend(equations);
+            lines.push("```".to_owned());
+        }
+        Some(None) => {
+            lines.push(String::new());
+            lines.push("The equations are too long for a page: they stand in `MODEL.equations`.".to_owned());
+        }
+        _ => {}
     }
     let lines = lines.iter().map(|line| if line.is_empty() { quote!(#[doc = ""]) } else { doc(line) });
     quote!(#(#lines)*)

@@ -8,12 +8,16 @@
 //! | [`text`] | function bodies as text |
 //! | [`functions`] | the functions of the trait |
 //! | [`charts`] | the functions that choose a chart |
-//! | [`description`] | `MODEL`, and the equations as text |
+//! | [`equations`] | the derived equations as text |
+//! | [`layout`] | matrices in text |
+//! | [`description`] | `MODEL` |
 //! | [`system`] | the implementation of the trait |
 
 pub mod charts;
 pub mod description;
+pub mod equations;
 pub mod functions;
+pub mod layout;
 pub mod shape;
 pub mod system;
 pub mod target;

@@ -1,7 +1,8 @@
 //! The implementation of the trait.
 
 use super::charts::chosen;
-use super::description::{Texts, bare, model};
+use super::description::{bare, model};
+use super::equations::Texts;
 use super::functions::{docs, function, signature, tokens};
 use super::shape::{Known, Types};
 use super::target::{Target, ident};
@@ -252,7 +253,7 @@ fn prepare(target: &Target, types: &Types, programs: &Programs) -> TokenStream {
         "values",
         "Checks the parameters and does the work that depends on them alone.",
         &values.count,
-        &Texts::default(),
+        None,
     );
     let own = doc("The parameters as they stand in the struct.");
     quote! {

@@ -55,6 +55,7 @@ pub mod tangent;
 mod tests;
 
 pub use equations::{ChartEquations, Equations, Guard, GuardKind, Level, RowFacts};
+pub use motion::{COMPLIANCE_PIVOT, INERTIA_PIVOT};
 pub use outputs::{OutputFacts, Outputs};
 pub use project::{TANGENT_PIVOT, project};
 
@@ -70,6 +71,8 @@ pub trait Simplifier {
     /// These have the form that they will keep: what is made of them need not be simplified through them where they are
     /// large.
     fn settle(&mut self, _: &mut Graph, _: &[Expr]) {}
+    /// What is made of this is not to be simplified through it, however small it is.
+    fn keep(&mut self, _: &mut Graph, _: Expr) {}
 }
 
 /// Leaves everything as it is.

@@ -59,7 +59,7 @@ pub fn solve(
     };
     for (p, pivot) in factors.order.iter().zip(&factors.pivots) {
         let called = format!("pivot of D M D\u{1d40} for {}", name(system, *p));
-        if let Err(text) = guards.positive(&mut system.graph, *pivot, &called, INERTIA, &[]) {
+        if let Err(text) = guards.positive(&mut system.graph, *pivot, &called, INERTIA_PIVOT, &[]) {
             errors.report(span, messages::negative_inertia(&name(system, *p), &text));
         }
     }
@@ -76,7 +76,10 @@ pub fn solve(
 }
 
 /// The origin of a guard that is a pivot of the mass matrix.
-const INERTIA: &str = "a pivot of D M D\u{1d40} (4.10)";
+pub const INERTIA_PIVOT: &str = "a pivot of D M D\u{1d40} (4.10)";
+
+/// The origin of a guard that is a pivot of M_c = C̃ M_w⁻¹ C̃ᵀ.
+pub const COMPLIANCE_PIVOT: &str = "the constraints depend on each other where it vanishes (3.6)";
 
 /// By (3.6) in the space of the state's speeds; `None` where M is not definite there.
 fn by_projection(
@@ -92,7 +95,7 @@ fn by_projection(
     let inertia = factorise(graph, simplifier, &dynamics.speed_inertia).ok()?;
     for (p, pivot) in inertia.order.iter().zip(&inertia.pivots) {
         let called = format!("pivot of D M D\u{1d40} for {}", graph.name(speeds[*p]));
-        found.positive(graph, *pivot, &called, INERTIA, &[]).ok()?;
+        found.positive(graph, *pivot, &called, INERTIA_PIVOT, &[]).ok()?;
     }
     let free = inertia.solve(graph, simplifier, &dynamics.speed_forces);
     let compliance = columns(graph, simplifier, &inertia, &bound.gradients);
@@ -101,8 +104,7 @@ fn by_projection(
     let factors = factorise(graph, simplifier, &metric).ok()?;
     for (p, pivot) in factors.order.iter().zip(&factors.pivots) {
         let called = format!("pivot of M_c for {}", names[*p]);
-        let origin = "the constraints depend on each other where it vanishes (3.6)";
-        found.positive(graph, *pivot, &called, origin, names).ok()?;
+        found.positive(graph, *pivot, &called, COMPLIANCE_PIVOT, names).ok()?;
     }
     let mut right = bound.gradients.mul_vec(graph, &free);
     for (value, bias) in right.iter_mut().zip(&bound.bias) {

@@ -54,3 +54,5 @@ pub const EXTRACTION_BANS: usize = 8;
 pub const EXTRACTION_TRIALS: usize = 200;
 /// Denominators and arguments of functions that are normalised on their own, in a model.
 pub const INNER_FORMS: usize = 100;
+/// Products of terms that are formed to find the factors of what the plain equations divide by.
+pub const DIVISOR_WORK: usize = 10_000;

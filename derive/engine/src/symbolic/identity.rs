@@ -18,6 +18,8 @@ use super::{Expr, Function, Graph, Node, Rational};
 /// number.
 const DENOMINATOR: i64 = 90_090_000;
 const POINTS_PER_PRIME: usize = 3;
+/// Points in all.
+pub(super) const POINTS: usize = PRIMES.len() * POINTS_PER_PRIME;
 const REDRAWS: usize = 1024;
 
 /// The points of evaluation with the values found so far, one for each expression of the arena.
@@ -41,7 +43,7 @@ impl Default for Points {
             redraws: 0,
             values: Vec::new(),
         };
-        Points((0..PRIMES.len() * POINTS_PER_PRIME).map(point).collect())
+        Points((0..POINTS).map(point).collect())
     }
 }
 

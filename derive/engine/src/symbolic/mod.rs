@@ -18,8 +18,10 @@
 //! | [`identity`] | identity decided by modular evaluation |
 //! | [`tables`] | sets of expressions and tables over them |
 //! | [`samples`] | values in double precision, for what holds roots |
+//! | [`powers`] | expressions that are powers of others |
 //! | [`matrix`] | matrices of expressions |
 //! | [`display`] | text for messages and documentation |
+//! | [`unicode`] | names as in print |
 
 pub mod blocks;
 pub mod bounds;
@@ -35,14 +37,17 @@ pub mod matrix;
 pub mod minors;
 pub mod modular;
 pub mod node;
+pub mod powers;
 pub mod rational;
 pub mod samples;
 pub mod substitute;
 pub mod tables;
+pub mod unicode;
 #[cfg(test)]
 mod tests;
 
 pub use construct::Assumptions;
+pub use display::{Notation, Parts};
 pub use evaluate::Algebra;
 pub use given::Given;
 pub use graph::Graph;

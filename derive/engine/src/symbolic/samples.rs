@@ -10,7 +10,7 @@ impl Graph {
             return false;
         }
         let mut samples = self.samples.borrow_mut();
-        let found = self.evaluate_further(&[a, b], &mut Sampled { pi: self.pi_symbol() }, &mut samples.0);
+        let found = self.evaluate_further(&[a, b], &mut Sampled::of(self), &mut samples.0);
         let mut finite = 0;
         let contradiction = (0..SAMPLES).any(|k| {
             let ((x, sx), (y, sy)) = (found[0][k], found[1][k]);
@@ -26,11 +26,18 @@ impl Graph {
     /// refused, for want of a relation, agrees at nearly all.
     pub(super) fn refuted(&self, a: Expr, b: Expr) -> bool {
         let mut samples = self.samples.borrow_mut();
-        let found = self.evaluate_further(&[a, b], &mut Sampled { pi: self.pi_symbol() }, &mut samples.0);
+        let found = self.evaluate_further(&[a, b], &mut Sampled::of(self), &mut samples.0);
         let pairs = (0..SAMPLES).map(|k| (found[0][k], found[1][k]));
         let finite = pairs.filter(|((x, sx), (y, sy))| [x, sx, y, sy].iter().all(|value| value.is_finite()));
         let differ: Vec<bool> = finite.map(|((x, sx), (y, sy))| (x - y).abs() > 1e-7 * (sx + sy + 1e-30)).collect();
         differ.len() >= LEAST_COMPARED && 2 * differ.iter().filter(|differ| **differ).count() > differ.len()
+    }
+
+    /// Values in double precision at points near zero; none where they are not finite.
+    pub(super) fn near_zero(&self, e: Expr, found: &mut Samples) -> [Option<f64>; SAMPLES] {
+        let mut near = Sampled { pi: self.pi_symbol(), reach: [1.5; 3] };
+        let values = self.evaluate_further(&[e], &mut near, &mut found.0).swap_remove(0);
+        std::array::from_fn(|k| Some(values[k].0).filter(|x| x.is_finite() && *x != 0.0))
     }
 
     /// Values in double precision, each with the size of the terms that made it: a value far below its size is zero
@@ -41,7 +48,7 @@ impl Graph {
 }
 
 /// Points in double precision at which what contains roots is compared.
-const SAMPLES: usize = 48;
+pub(super) const SAMPLES: usize = 48;
 
 /// Fewer points show nothing.
 const LEAST_COMPARED: usize = 3;
@@ -56,16 +63,22 @@ type Values = Box<[(f64, f64)]>;
 /// [`Scaled`] at all points at once: what was compared before is not evaluated again.
 struct Sampled {
     pi: Symbol,
+    /// How far from zero the values of symbols are, point by point.
+    reach: [f64; 3],
 }
 
 impl Sampled {
+    /// Points near and far: a root may be real only beyond some value.
+    fn of(graph: &Graph) -> Self {
+        Sampled { pi: graph.pi_symbol(), reach: [2.0, 30.0, 500.0] }
+    }
+
     /// One operation at every point.
     fn each(&self, mut operation: impl FnMut(&mut Scaled<'_>, usize) -> (f64, f64)) -> Values {
         let mut values = vec![(0.0, 0.0); SAMPLES];
         let (out, mut k) = (values.as_mut_slice(), 0);
         while k < SAMPLES {
-            // Points near and far: a root may be real only beyond some value.
-            let reach = [2.0, 30.0, 500.0][k % 3];
+            let reach = self.reach[k % 3];
             let unit = |s: Symbol| (mix(mix(k as u64) ^ mix(s.index() as u64)) >> 11) as f64 / (1u64 << 53) as f64;
             out[k] = operation(&mut Scaled { pi: self.pi, values: &|s| reach * (2.0 * unit(s) - 1.0) }, k);
             k += 1;
