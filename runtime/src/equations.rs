@@ -95,7 +95,8 @@ impl Equation {
     /// The right side as a tree.
     ///
     /// # Errors
-    /// If [`text`](Equation::text) is no formula, as where it leaves something out (`…`).
+    /// If [`text`](Equation::text) is no formula. Those of the derive are, but for `…` where the equations of a model are together
+    /// longer than anybody reads.
     ///
     /// ```
     /// # #[cfg(feature = "derive")] {

@@ -85,7 +85,7 @@ fn equations_have_their_formulas() {
     let mut kinds = Vec::new();
     for (json, equation) in equations.iter().zip(Pendulum::MODEL.equations) {
         assert_eq!((&json["symbol"], &json["source"]), (&json!(equation.symbol), &json!(equation.source)));
-        assert_eq!(json["text"], equation.text);
+        assert_eq!((&json["text"], &json["function"]), (&json!(equation.text), &json!(equation.function)));
         let formula: Formula = serde_json::from_value(json["formula"].clone()).unwrap();
         assert_eq!(Ok(formula), equation.formula(), "{}", equation.text);
         kinds.extend(json["formula"].as_object().unwrap().keys().cloned());
