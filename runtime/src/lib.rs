@@ -8,6 +8,7 @@
 //! * [`Prepared::assemble`] closes the constraints from a guess, with whatever else is asked for;
 //! * [`Prepared::project_positions`] and [`Prepared::project_velocities`] take x and v back onto the constraints;
 //! * [`Prepared::simulate`] integrates, watches the guards, and stays on the constraint manifold;
+//! * [`equations`] has the derived equations as formulas and in LaTeX: `println!("{}", Pendulum::MODEL.latex())`;
 //! * [`forms`] has the unreduced forms of the equations, for oracles and for study.
 //!
 //! Equation numbers refer to W. Blajer, "A generalized projection method for the dynamic analysis of constrained mechanical
@@ -32,7 +33,7 @@
 //! ```
 //!
 //! Features: `std` (default) or `libm` for the elementary functions, `derive` (default) for the macro;
-//! `differential-equations` for the implicit methods of the crate of that name.
+//! `differential-equations` for the implicit methods of the crate of that name; `serde` for [`Description`] in JSON and its like.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -59,6 +60,8 @@ mod carriers;
 pub mod differential_equations;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod drift;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub mod equations;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod error;
 #[cfg(any(feature = "std", feature = "libm"))]

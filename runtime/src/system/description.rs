@@ -13,6 +13,7 @@
 /// }
 /// ```
 #[derive(Copy, Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Description {
     /// The name of the struct.
     pub name: &'static str,
@@ -74,6 +75,7 @@ impl Description {
 
 /// One row of C.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RowInfo {
     /// The constraint's name.
     pub name: &'static str,
@@ -88,6 +90,7 @@ pub struct RowInfo {
 
 /// The level at which a constraint binds, or an output depends on the motion.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Level {
     /// f(x, t) = 0.
     Position,
@@ -99,6 +102,7 @@ pub enum Level {
 
 /// One multiplier.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MultiplierInfo {
     /// The constraint's name.
     pub name: &'static str,
@@ -132,6 +136,7 @@ pub struct MultiplierInfo {
 /// # }
 /// ```
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OutputInfo {
     /// Its name.
     pub name: &'static str,
@@ -146,6 +151,7 @@ pub struct OutputInfo {
 
 /// A figure that tells whether a state, or a set of parameters, is a regular one.
 #[derive(Copy, Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct GuardInfo {
     /// The expression, as text, or what it is. The figure may be the expression times parameters.
     pub name: &'static str,
@@ -178,6 +184,7 @@ pub struct GuardInfo {
 /// assert_eq!((across.guards[0].name, along.guards[0].name), ("y", "x"));
 /// ```
 #[derive(Copy, Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ChartInfo {
     /// u of the chart.
     pub speeds: &'static [&'static str],
@@ -194,6 +201,7 @@ pub struct ChartInfo {
 
 /// What a guard must satisfy.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum GuardKind {
     /// It must neither vanish nor change its sign.
     Pivot,
@@ -203,6 +211,7 @@ pub enum GuardKind {
 
 /// A derived equation as text.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Equation {
     /// The symbol that it defines: `M_d`. Long equations are written over parts `e1`, `e2`, …, which stand before them.
     pub symbol: &'static str,
@@ -211,11 +220,13 @@ pub struct Equation {
     /// The equation's number in the paper: `(4.10)`.
     pub source: &'static str,
     /// The equation.
+    #[cfg_attr(feature = "serde", serde(flatten, serialize_with = "crate::equations::json::text_and_formula"))]
     pub text: &'static str,
 }
 
 /// What one emitted function costs, parameter-only work apart.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FunctionCost {
     /// The function's name: `derivative`.
     pub function: &'static str,
