@@ -73,7 +73,10 @@ fn the_pendulum_reads_well() {
 #[test]
 fn the_equations_stand_in_the_docs() {
     let text = emitted("pub struct Disk { a: f64 }", &disk()).to_string();
-    assert!(text.contains("M_d = [[2*j + m*powi(r, 2), 0, 0], [0, j, 0], [0, 0, j + m*powi(r, 2)]]"));
+    // In the notation of models for `MODEL`, as in print for the documentation.
+    assert!(text.contains("[[2*j + m*powi(r, 2), 0, 0], [0, j, 0], [0, 0, j + m*powi(r, 2)]]"));
+    let rows = ["M_d = ⎡2·j + m·r²  0  0       ⎤", "⎢0           j  0       ⎥", "⎣0           0  j + m·r²⎦"];
+    assert!(rows.iter().all(|row| text.contains(row)), "{text}");
     assert!(text.contains("(4.10)") && text.contains("2 sines and cosines"));
 }
 
