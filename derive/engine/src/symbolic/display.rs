@@ -170,10 +170,9 @@ impl Graph {
                     notation == Notation::Unicode
                         && matches!(self.node(*b), Node::Function(Function::Sin | Function::Cos, _))
                 };
-                let (first, last): (Vec<&(Expr, i32)>, Vec<&(Expr, i32)>) =
-                    factors.iter().filter(|f| f.1 > 0).partition(|f| !open(&f.0));
-                let above: Vec<String> =
-                    first.into_iter().chain(last).map(|f| power(&f.0, f.1.unsigned_abs())).collect();
+                let mut factors_above: Vec<&(Expr, i32)> = factors.iter().filter(|f| f.1 > 0).collect();
+                factors_above.sort_by_key(|f| open(&f.0));
+                let above: Vec<String> = factors_above.iter().map(|f| power(&f.0, f.1.unsigned_abs())).collect();
                 let below: Vec<String> =
                     factors.iter().filter(|f| f.1 < 0).map(|(b, k)| power(b, k.unsigned_abs())).collect();
                 let mut out = if above.is_empty() { "1".to_owned() } else { above.join(times) };
