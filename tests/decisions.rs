@@ -15,6 +15,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 use support::declared::{models, rust_files};
+use support::kept;
 
 fn guard(guard: &Guard) -> String {
     let start = guard.start.map_or(String::new(), |value| format!(", {value:.3e} at the start"));
@@ -83,8 +84,8 @@ fn decisions(model: &syn::ItemStruct) -> String {
 #[test]
 fn decisions_are_as_they_were_read() {
     let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
-    let kept = tests.join("data/decisions");
-    let folders = [tests.clone(), tests.join("models"), kept.clone()];
+    let folder = tests.join("data/decisions");
+    let folders = [tests.clone(), tests.join("models"), folder.clone()];
     let files = folders.iter().flat_map(|folder| rust_files(folder));
     let mut changed = Vec::new();
     for file in files {
@@ -96,17 +97,7 @@ fn decisions_are_as_they_were_read() {
         // Some files of tests have the name of a file with models.
         let own = if file.parent() == Some(&tests) { "of_" } else { "" };
         let name = format!("{own}{}.txt", file.file_stem().expect("a name").to_string_lossy());
-        let path = kept.join(name);
-        if std::env::var_os("HOLONOMY_BLESS").is_some() {
-            fs::write(&path, &text).expect("the text is written");
-        }
-        let committed = fs::read_to_string(&path).unwrap_or_default();
-        let lines = text.lines().zip(committed.lines().chain(std::iter::repeat("nothing")));
-        if let Some((now, before)) = lines.into_iter().find(|(now, before)| now != before) {
-            changed.push(format!("{}: `{}` where there was `{}`", path.display(), now.trim(), before.trim()));
-        } else if text != committed {
-            changed.push(format!("{}: lines were left out", path.display()));
-        }
+        changed.extend(kept::changed(&folder.join(name), &text));
     }
     assert!(changed.is_empty(), "{}", changed.join("\n"));
 }

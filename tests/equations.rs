@@ -15,6 +15,7 @@ use std::collections::HashMap;
 use std::path::Path;
 use support::declared;
 use support::golden::assert_close;
+use support::kept;
 use support::running::{Running, by_rows, entries};
 use support::splitmix::SplitMix;
 
@@ -257,14 +258,8 @@ fn every_text_is_read_and_written_as_it_was() {
 #[test]
 fn the_disk_in_latex() {
     let latex = RollingDisk::MODEL.latex();
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/rolling_disk.tex");
-    if std::env::var_os("HOLONOMY_BLESS").is_some() {
-        std::fs::write(path, &latex).expect("the file is written");
-    }
-    let committed = std::fs::read_to_string(path).expect("the file is there");
-    let changed = latex.lines().zip(committed.lines()).find(|(now, before)| now != before);
-    assert_eq!(changed, None, "{path} is out of date: run this test with HOLONOMY_BLESS=1");
-    assert_eq!(latex.len(), committed.len(), "{path} is out of date");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/rolling_disk.tex");
+    assert_eq!(kept::changed(&path, &latex), None);
     assert!(balanced(&latex));
     assert_eq!(latex.matches(" &= ").count(), RollingDisk::MODEL.equations.len());
     assert_eq!(

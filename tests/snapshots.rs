@@ -9,6 +9,7 @@ use quote::ToTokens;
 use std::fs;
 use std::path::Path;
 use support::declared::models;
+use support::kept;
 
 /// The models, by file.
 const READ: [(&str, &str); 3] = [
@@ -70,18 +71,7 @@ fn expansions_are_as_they_were_read() {
         let lines = equations(&text);
         println!("{name}: {lines} lines of equations");
         assert!(lines < LINES, "{name} has {lines} lines of equations");
-        let path = top.join("tests/data/snapshots").join(format!("{name}.txt"));
-        if std::env::var_os("HOLONOMY_BLESS").is_some() {
-            fs::create_dir_all(path.parent().expect("a folder")).expect("the folder is made");
-            fs::write(&path, &text).expect("the text is written");
-        }
-        let kept = fs::read_to_string(&path).unwrap_or_default();
-        let lines = text.lines().zip(kept.lines().chain(std::iter::repeat("nothing")));
-        if let Some((now, before)) = lines.into_iter().find(|(now, before)| now != before) {
-            changed.push(format!("{name}: `{}` where there was `{}`", now.trim(), before.trim()));
-        } else if text != kept {
-            changed.push(format!("{name}: lines were left out"));
-        }
+        changed.extend(kept::changed(&top.join("tests/data/snapshots").join(format!("{name}.txt")), &text));
     }
     assert!(changed.is_empty(), "{}", changed.join("\n"));
 }

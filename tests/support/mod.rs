@@ -5,6 +5,7 @@ pub mod declared;
 pub mod extrapolation;
 pub mod fields;
 pub mod golden;
+pub mod kept;
 pub mod running;
 pub mod special;
 pub mod splitmix;

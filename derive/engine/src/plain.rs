@@ -27,13 +27,6 @@ pub struct Plain {
     work: usize,
 }
 
-/// What a group is compared with.
-#[derive(Copy, Clone)]
-struct Compared<'a> {
-    own: &'a [Expr],
-    plain: &'a [Expr],
-}
-
 impl Plain {
     /// Projects the system as it stands, into the arena of its equations; `None` where it gives no more than these.
     pub fn of(equations: &mut Equations, mut system: InitialSystem) -> Option<Self> {
@@ -76,7 +69,7 @@ impl Plain {
         let lighter = plain != own
             && size(&plain) < 2 * size(own)
             && weight(graph, &plain) < weight(graph, own)
-            && self.sound(graph, Compared { own, plain: &plain });
+            && self.sound(graph, own, &plain);
         lighter.then_some(plain)
     }
 
@@ -87,7 +80,7 @@ impl Plain {
         let motion = self.groups[0][..self.groups[0].len() - self.guards.len()].to_vec();
         let (mut best, least) = (weight(&mut graph, &own), weight(&mut graph, &self.groups[0]));
         let mut found = None;
-        if least < best && self.sound(&mut graph, Compared { own: &own[..motion.len()], plain: &motion }) {
+        if least < best && self.sound(&mut graph, &own[..motion.len()], &motion) {
             for told in [true, false] {
                 let guards = self.at_hand(&mut graph, &equations.guards, told);
                 let roots: Vec<Expr> = motion.iter().copied().chain(guards.iter().map(|guard| guard.expr)).collect();
@@ -104,7 +97,7 @@ impl Plain {
         if least < best && self.guards.clone().iter().all(|guard| self.covers(&mut graph, guard.expr)) {
             let others: Vec<Vec<Expr>> = groups(equations).split_off(1);
             let plain: Vec<Vec<Expr>> = self.groups[1..].to_vec();
-            let sound = |(own, plain): (&Vec<Expr>, &Vec<Expr>)| self.sound(&mut graph, Compared { own, plain });
+            let sound = |(own, plain): (&Vec<Expr>, &Vec<Expr>)| self.sound(&mut graph, own, plain);
             if others.iter().zip(&plain).all(sound) {
                 let mut guards = self.at_hand(&mut graph, &equations.guards, false);
                 guards.retain(|guard| self.guards.iter().any(|plain| plain.expr == guard.expr));
@@ -126,10 +119,10 @@ impl Plain {
     }
 
     /// Whether a group is the same functions and divides by nothing new.
-    fn sound(&mut self, graph: &mut Graph, group: Compared<'_>) -> bool {
-        group.own.len() == group.plain.len()
-            && divisors(graph, group.plain).into_iter().all(|e| self.covers(graph, e))
-            && group.own.iter().zip(group.plain).all(|(own, plain)| graph.proven(*plain, *own))
+    fn sound(&mut self, graph: &mut Graph, own: &[Expr], plain: &[Expr]) -> bool {
+        own.len() == plain.len()
+            && divisors(graph, plain).into_iter().all(|e| self.covers(graph, e))
+            && own.iter().zip(plain).all(|(own, plain)| graph.proven(*plain, *own))
     }
 
     /// Whether a divisor vanishes nowhere, or only where something does by which the equations divide already.
@@ -225,4 +218,90 @@ fn divisors(graph: &Graph, roots: &[Expr]) -> BTreeSet<Expr> {
         }
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::symbolic::Kind;
+
+    fn guard(expr: Expr, name: &str, kind: GuardKind, origin: &str) -> Guard {
+        Guard { expr, name: name.to_owned(), kind, origin: origin.to_owned(), rows: Vec::new(), start: None }
+    }
+
+    fn dividing(graph: &Graph, quantities: &[Expr], guards: Vec<Guard>) -> Plain {
+        let powers = Powers::of(graph, quantities);
+        Plain { groups: Vec::new(), guards, powers, judged: Vec::new(), work: DIVISOR_WORK }
+    }
+
+    /// cos θ, sin θ and a parameter.
+    fn turn(graph: &mut Graph) -> [Expr; 3] {
+        let (theta, m) = (graph.symbol("theta", Kind::Coordinate), graph.symbol("m", Kind::Parameter));
+        let (theta, m) = (graph.var(theta), graph.var(m));
+        [graph.cos(theta), graph.sin(theta), m]
+    }
+
+    /// What vanishes nowhere else may be divided by, and nothing else may.
+    #[test]
+    fn a_divisor_must_vanish_only_where_known_ones_do() {
+        let graph = &mut Graph::new();
+        let [cos, sin, m] = turn(graph);
+        let mut plain = dividing(graph, &[cos, m], Vec::new());
+        let (one, two) = (graph.one(), graph.integer(2));
+        let square = graph.powi(sin, 2);
+        let [left, away, half] = [graph.sub(one, square), graph.add(two, sin), graph.sub(two, m)];
+        let scaled = graph.mul(left, m);
+        let product = graph.mul(cos, away);
+        let near = graph.add(cos, one);
+        for (e, known) in [(scaled, true), (away, true), (product, true), (sin, false), (near, false), (half, false)] {
+            assert_eq!(plain.covers(graph, e), known, "{}", graph.display(e));
+        }
+    }
+
+    /// A guard keeps a name that is true, and its figure where that is asked.
+    #[test]
+    fn guards_keep_their_names() {
+        let graph = &mut Graph::new();
+        let [cos, sin, m] = turn(graph);
+        let scaled = graph.mul(cos, m);
+        let terms = [cos, sin].map(|e| {
+            let square = graph.powi(e, 2);
+            graph.mul(square, m)
+        });
+        let spread = graph.sum(&terms);
+        let long = graph.mul(scaled, spread);
+        let own = [guard(cos, "cos(theta)", GuardKind::Pivot, "a pivot")];
+        let plain = guard(long, "pivot of rod", GuardKind::Pivot, "a pivot");
+        for (told, expr) in [(true, cos), (false, long)] {
+            let found = dividing(graph, &[cos, m], vec![plain.clone()]).at_hand(graph, &own, told);
+            let [found] = found.as_slice() else { panic!("one guard") };
+            assert_eq!((found.expr, found.name.as_str()), (expr, "cos(theta)"));
+        }
+        // With a factor that changes along the motion the name would not be true any more.
+        let further = graph.mul(long, sin);
+        let plain = guard(further, "pivot of rod", GuardKind::Pivot, "a pivot");
+        let found = dividing(graph, &[cos, sin, m], vec![plain.clone()]).at_hand(graph, &own, false);
+        assert_eq!(found, [plain]);
+    }
+
+    /// Pivots of another order of elimination take the place of pivots of the same matrix; signed factors of pivots stay.
+    #[test]
+    fn pivots_of_another_order_stand_in() {
+        let graph = &mut Graph::new();
+        let [cos, sin, _] = turn(graph);
+        let one = graph.one();
+        let [a, b] = [cos, sin].map(|e| {
+            let square = graph.powi(e, 2);
+            graph.add(one, square)
+        });
+        let other = guard(b, "second", GuardKind::Positive, INERTIA_PIVOT);
+        let first = [guard(a, "first", GuardKind::Positive, INERTIA_PIVOT)];
+        let mut plain = dividing(graph, &[a, b], vec![other.clone()]);
+        assert_eq!(plain.at_hand(graph, &first, false), [other]);
+        assert_eq!(plain.at_hand(graph, &first, true), first);
+        let signed = guard(cos, "cos(theta)", GuardKind::Pivot, INERTIA_PIVOT);
+        let [first] = first;
+        let both = [first, signed];
+        assert_eq!(plain.at_hand(graph, &both, false), both);
+    }
 }

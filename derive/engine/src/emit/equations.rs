@@ -117,15 +117,12 @@ impl<'a> Texts<'a> {
         c.each("potential_energy", "", vec!["V".to_owned()], &potential);
         c.each("outputs", "", e.outputs.names.clone(), &e.outputs.values);
         let entries = c.entries;
-        let mut roots: Vec<Expr> = entries.iter().flat_map(Entry::roots).collect();
-        let taken: Vec<&str> = e.graph.symbols().map(|s| e.graph.name(s)).collect();
-        let clear = |prefix: &&&str| taken.iter().all(|name| !is_part(name, prefix));
-        let prefix = ["e", "part_", "equation_part_"].iter().find(clear).unwrap_or(&"e__");
-        let (mut texts, parts) = e.graph.display_by_parts(&roots, |n| format!("{prefix}{n}"));
-        let named: Vec<Expr> = parts.named().map(|(e, _)| e).collect();
-        texts.extend(e.graph.display_over(&named, &parts, Notation::Model));
-        roots.extend(named);
-        Texts { equations: e, entries, texts: roots.into_iter().zip(texts).collect(), parts }
+        let roots: Vec<Expr> = entries.iter().flat_map(Entry::roots).collect();
+        let symbols = e.graph.symbols().map(|s| e.graph.name(s));
+        let taken: Vec<&str> = symbols.chain(entries.iter().map(|entry| entry.symbol.as_str())).collect();
+        let prefix = prefix(&taken);
+        let (texts, parts) = e.graph.display_by_parts(&roots, |n| format!("{prefix}{n}"));
+        Texts { equations: e, entries, texts, parts }
     }
 
     /// Every equation in the notation of models, each part before the first that needs it.
@@ -199,6 +196,12 @@ impl<'a> Texts<'a> {
     }
 }
 
+/// What the names of parts begin with, so that none of them is taken.
+fn prefix(taken: &[&str]) -> String {
+    let clear = |prefix: &String| taken.iter().all(|name| !is_part(name, prefix));
+    (1..).map(|n| "e".repeat(n)).find(clear).unwrap_or_default()
+}
+
 /// Whether a name could be that of a part.
 fn is_part(name: &str, prefix: &str) -> bool {
     name.strip_prefix(prefix).is_some_and(|rest| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit()))
@@ -247,5 +250,17 @@ impl Side {
                 format!("[{}]", rows.join(", "))
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_have_names_of_their_own() {
+        assert_eq!(prefix(&["e", "ea", "energy", "x1"]), "e");
+        assert_eq!(prefix(&["x", "e1"]), "ee");
+        assert_eq!(prefix(&["e12", "ee3", "eee"]), "eee");
     }
 }

@@ -20,12 +20,12 @@ enum Binding {
 pub enum Notation {
     /// As in models: `m*powi(r, 2)*sin(theta)`.
     Model,
-    /// As in print: `m·r²·sin θ`.
+    /// As in print: `m·r²·sin(θ)`.
     Unicode,
 }
 
-/// Expressions that are written by name, each with its text: what is long, or used in several places and not short. Those that others
-/// are made of come first.
+/// Expressions that are written by name: what is long, or used in several places and not short. Those that others are made of come
+/// first.
 #[derive(Clone, Debug, Default)]
 pub struct Parts {
     names: HashMap<Expr, String>,
@@ -38,11 +38,6 @@ const LONG: usize = 240;
 const REPEATED: usize = 100;
 
 impl Parts {
-    /// The expressions and their names.
-    pub fn named(&self) -> impl Iterator<Item = (Expr, &str)> {
-        self.order.iter().map(|e| (*e, self.names[e].as_str()))
-    }
-
     /// The name of an expression that is a part.
     pub fn name(&self, e: Expr) -> Option<&str> {
         self.names.get(&e).map(String::as_str)
@@ -51,7 +46,20 @@ impl Parts {
     /// The parts of which expressions are made, directly or through others.
     pub fn of(&self, graph: &Graph, roots: &[Expr]) -> Vec<(Expr, &str)> {
         let inside = Set::of(&graph.reachable(roots));
-        self.named().filter(|(e, _)| inside.contains(*e)).collect()
+        self.order.iter().filter(|e| inside.contains(**e)).map(|e| (*e, self.names[e].as_str())).collect()
+    }
+}
+
+/// Texts of expressions: where others are made of them, and on their own where these differ.
+#[derive(Default)]
+struct Texts {
+    inside: HashMap<Expr, (String, Binding)>,
+    whole: HashMap<Expr, String>,
+}
+
+impl Texts {
+    fn on_its_own(&self, e: Expr) -> String {
+        self.whole.get(&e).unwrap_or(&self.inside[&e].0).clone()
     }
 }
 
@@ -63,59 +71,60 @@ impl Graph {
 
     /// [`Graph::display`] of several expressions in one sweep.
     pub fn display_all(&self, roots: &[Expr]) -> Vec<String> {
-        let mut texts: HashMap<Expr, (String, Binding)> = HashMap::new();
-        for e in self.reachable(roots) {
-            let (text, binding) = self.text(e, &texts, Notation::Model);
-            let text = if text.chars().count() > LONGEST { ("…".to_owned(), Binding::Atom) } else { (text, binding) };
-            texts.insert(e, text);
-        }
-        roots.iter().map(|e| texts[e].0.clone()).collect()
+        let long = |_, text: &str| (text.chars().count() > LONGEST).then(|| "…".to_owned());
+        let texts = self.texts(roots, Notation::Model, long);
+        roots.iter().map(|e| texts.inside[e].0.clone()).collect()
     }
 
-    /// The expressions in full, long ones over named parts: the texts, and the parts. `name` gives the name of the n-th part.
-    pub fn display_by_parts(&self, roots: &[Expr], name: impl Fn(usize) -> String) -> (Vec<String>, Parts) {
-        let order = self.reachable(roots);
+    /// The expressions in the notation of models and in full, long ones over named parts: the texts of the expressions and of the
+    /// parts, and the parts. `name` gives the name of the n-th part.
+    pub fn display_by_parts(&self, roots: &[Expr], name: impl Fn(usize) -> String) -> (HashMap<Expr, String>, Parts) {
         let mut used: HashMap<Expr, usize> = HashMap::new();
-        for e in &order {
-            self.node(*e).children().into_iter().for_each(|child| *used.entry(child).or_default() += 1);
+        for e in self.reachable(roots) {
+            self.node(e).children().into_iter().for_each(|child| *used.entry(child).or_default() += 1);
         }
         let mut parts = Parts::default();
-        let mut texts: HashMap<Expr, (String, Binding)> = HashMap::new();
-        let mut whole: HashMap<Expr, String> = HashMap::new();
-        for e in order {
-            let (text, binding) = self.text(e, &texts, Notation::Model);
+        let texts = self.texts(roots, Notation::Model, |e, text| {
             let (length, uses) = (text.chars().count(), used.get(&e).copied().unwrap_or(0));
-            if (length > LONG && uses > 0) || (length > REPEATED && uses > 1) {
-                let name = name(parts.order.len() + 1);
+            let named = (length > LONG && uses > 0) || (length > REPEATED && uses > 1);
+            named.then(|| {
                 parts.order.push(e);
+                let name = name(parts.order.len());
                 parts.names.insert(e, name.clone());
-                whole.insert(e, text);
-                texts.insert(e, (name, Binding::Atom));
-            } else {
-                texts.insert(e, (text, binding));
-            }
-        }
-        let text = |e: &Expr| whole.get(e).unwrap_or(&texts[e].0).clone();
-        (roots.iter().map(text).collect(), parts)
+                name
+            })
+        });
+        let told = roots.iter().chain(&parts.order).map(|e| (*e, texts.on_its_own(*e))).collect();
+        (told, parts)
     }
 
     /// The expressions in a notation, over parts that were named before.
     pub fn display_over(&self, roots: &[Expr], parts: &Parts, notation: Notation) -> Vec<String> {
-        let mut texts: HashMap<Expr, (String, Binding)> = HashMap::new();
-        let mut whole: HashMap<Expr, String> = HashMap::new();
+        let texts = self.texts(roots, notation, |e, _| parts.name(e).map(|name| notation.name(name)));
+        roots.iter().map(|e| texts.on_its_own(*e)).collect()
+    }
+
+    /// The texts of all expressions of which the roots are made; `instead` gives a name for a text.
+    fn texts(
+        &self,
+        roots: &[Expr],
+        notation: Notation,
+        mut instead: impl FnMut(Expr, &str) -> Option<String>,
+    ) -> Texts {
+        let mut texts = Texts::default();
         for e in self.reachable(roots) {
-            let text = self.text(e, &texts, notation);
-            match parts.names.get(&e) {
+            let (text, binding) = self.text(e, &texts.inside, notation);
+            match instead(e, &text) {
                 Some(name) => {
-                    whole.insert(e, text.0);
-                    texts.insert(e, (notation.name(name), Binding::Atom));
+                    texts.whole.insert(e, text);
+                    texts.inside.insert(e, (name, Binding::Atom));
                 }
                 None => {
-                    texts.insert(e, text);
+                    texts.inside.insert(e, (text, binding));
                 }
             }
         }
-        roots.iter().map(|e| whole.get(e).unwrap_or(&texts[e].0).clone()).collect()
+        texts
     }
 
     fn text(&self, e: Expr, texts: &HashMap<Expr, (String, Binding)>, notation: Notation) -> (String, Binding) {
@@ -165,14 +174,8 @@ impl Graph {
                         _ => format!("({}){}", texts[base].0, unicode::superscript(k)),
                     },
                 };
-                // `cos θ·ω` could be read as the cosine of a product.
-                let open = |b: &Expr| {
-                    notation == Notation::Unicode
-                        && matches!(self.node(*b), Node::Function(Function::Sin | Function::Cos, _))
-                };
-                let mut factors_above: Vec<&(Expr, i32)> = factors.iter().filter(|f| f.1 > 0).collect();
-                factors_above.sort_by_key(|f| open(&f.0));
-                let above: Vec<String> = factors_above.iter().map(|f| power(&f.0, f.1.unsigned_abs())).collect();
+                let above: Vec<String> =
+                    factors.iter().filter(|f| f.1 > 0).map(|(b, k)| power(b, k.unsigned_abs())).collect();
                 let below: Vec<String> =
                     factors.iter().filter(|f| f.1 < 0).map(|(b, k)| power(b, k.unsigned_abs())).collect();
                 let mut out = if above.is_empty() { "1".to_owned() } else { above.join(times) };
@@ -192,9 +195,6 @@ impl Graph {
                 let text = match (notation, function, self.node(arguments[0])) {
                     (Notation::Unicode, Function::Sqrt, Node::Symbol(_)) => format!("√{}", inner[0]),
                     (Notation::Unicode, Function::Sqrt, _) => format!("√({})", inner[0]),
-                    (Notation::Unicode, Function::Sin | Function::Cos, Node::Symbol(_)) => {
-                        format!("{} {}", self.function_name(*function), inner[0])
-                    }
                     _ => format!("{}({})", self.function_name(*function), inner.join(", ")),
                 };
                 (text, Binding::Atom)
@@ -277,7 +277,7 @@ mod tests {
             .map(|notation| g.display_over(&[e], &Parts::default(), notation).remove(0));
         assert_eq!(model, g.display(e));
         assert_eq!(model, "cos(theta - q1)*sqrt(m) - m*powi(r, 2)*powi(sin(theta), 2)/cos(q1)");
-        assert_eq!(print, "√m·cos(θ − q₁) − m·r²·sin² θ/cos q₁");
+        assert_eq!(print, "cos(θ − q₁)·√m − m·r²·sin²(θ)/cos(q₁)");
     }
 
     #[test]
@@ -292,13 +292,13 @@ mod tests {
             tower = g.add(scaled, e);
         }
         let (texts, parts) = g.display_by_parts(&[tower, e], |n| format!("e{n}"));
-        assert!(texts.iter().all(|text| !text.contains('…')), "{texts:?}");
-        assert!(parts.named().count() > 2);
-        let all = parts.of(&g, &[tower]);
-        assert_eq!(all.len(), parts.named().count());
-        for (part, name) in all {
-            let text = g.display_over(&[part], &parts, Notation::Model).remove(0);
-            assert!(text.chars().count() < 3 * LONG && text != name, "{text}");
+        let named = parts.of(&g, &[tower]);
+        assert!(named.len() > 2 && texts.len() >= named.len());
+        assert_eq!(texts[&e], g.display(e));
+        for (part, name) in named {
+            assert!(texts[&part].chars().count() < 3 * LONG && texts[&part] != name, "{name} = {}", texts[&part]);
+            assert_eq!(vec![texts[&part].clone()], g.display_over(&[part], &parts, Notation::Model));
         }
+        assert!(texts.values().all(|text| !text.contains('…')), "{texts:?}");
     }
 }

@@ -1,6 +1,6 @@
 //! Names as in print: Greek letters, subscripts, dots.
 
-/// The names of Greek letters.
+/// The names of Greek letters; `pi` is left out, for the letter is the number's.
 const GREEK: [(&str, char); 34] = [
     ("alpha", 'α'),
     ("beta", 'β'),
@@ -16,7 +16,6 @@ const GREEK: [(&str, char); 34] = [
     ("mu", 'μ'),
     ("nu", 'ν'),
     ("xi", 'ξ'),
-    ("pi", 'π'),
     ("rho", 'ρ'),
     ("sigma", 'σ'),
     ("tau", 'τ'),
@@ -32,6 +31,7 @@ const GREEK: [(&str, char); 34] = [
     ("Xi", 'Ξ'),
     ("Pi", 'Π'),
     ("Sigma", 'Σ'),
+    ("Upsilon", 'Υ'),
     ("Phi", 'Φ'),
     ("Psi", 'Ψ'),
     ("Omega", 'Ω'),
@@ -41,38 +41,31 @@ const GREEK: [(&str, char); 34] = [
 /// Over the letter before it.
 const DOT: char = '\u{307}';
 /// The same twice.
-const DOTS: &str = "\u{308}";
+const DOTS: char = '\u{308}';
 
-/// A name as in print: `theta_1` is θ₁, `dot_x` and `dot(x)` are ẋ, `m[3]` is m₃, `lambda(rod)` is λ(rod). Two names that differ stay
-/// different.
+/// A name as in print: `theta1` and `theta_1` are θ₁, `dot_x` and `dot(x)` are ẋ, `dot(dot_x)` is ẍ, `m[3]` is m₃, `lambda(rod)`
+/// is λ(rod). Words stay as they are.
 pub fn name(name: &str) -> String {
-    if let Some(inner) = name.strip_prefix("dot(").and_then(|rest| rest.strip_suffix(')')) {
-        return dotted(inner);
+    if let Some(dotted) = dotted(name) {
+        return dotted;
     }
-    if let Some((function, inner)) = name.split_once('(') {
-        return format!("{}({inner}", plain(function));
-    }
-    match name.strip_prefix("dot_") {
-        Some(rest) if !rest.is_empty() => dotted(rest),
-        _ => plain(name),
+    match name.split_once('(') {
+        Some((function, inner)) => format!("{}({inner}", plain(function)),
+        None => plain(name),
     }
 }
 
-/// A name with a dot over its letter; over a word it would not be seen.
-fn dotted(inner: &str) -> String {
-    let inner = name(inner);
-    if inner.contains(DOT) {
-        return inner.replacen(DOT, DOTS, 1);
-    }
-    let letters = inner.chars().take_while(|c| c.is_alphabetic()).count();
-    match letters {
-        1 => {
-            let mut out: String = inner.chars().take(1).collect();
-            out.push(DOT);
-            out.extend(inner.chars().skip(1));
-            out
-        }
-        _ => format!("d{inner}/dt"),
+/// A rate with its dots over a letter; over a word they would not be seen.
+fn dotted(rate: &str) -> Option<String> {
+    let called = rate.strip_prefix("dot(").and_then(|rest| rest.strip_suffix(')'));
+    let of = called.or_else(|| rate.strip_prefix("dot_"))?;
+    let inner = name(of);
+    let mut rest = inner.chars();
+    let letter = rest.next().filter(|c| c.is_alphabetic())?;
+    match rest.clone().next() {
+        Some(DOT) => Some(format!("{letter}{DOTS}{}", &rest.as_str()[DOT.len_utf8()..])),
+        Some(c) if c.is_alphabetic() => None,
+        _ => Some(format!("{letter}{DOT}{}", rest.as_str())),
     }
 }
 
@@ -112,9 +105,9 @@ pub fn superscript(k: u32) -> String {
     k.to_string().chars().map(raised).collect()
 }
 
-/// sin x to a power: `sin² x`.
+/// sin(x) to a power: `sin²(x)`.
 pub fn raised(function: &str, k: u32) -> String {
-    let end = function.find([' ', '(']).unwrap_or(function.len());
+    let end = function.find('(').unwrap_or(function.len());
     format!("{}{}{}", &function[..end], superscript(k), &function[end..])
 }
 
@@ -135,7 +128,12 @@ mod tests {
             ("dot(v6)", "v\u{307}₆"),
             ("dot_theta", "θ\u{307}"),
             ("dot(dot_a1)", "a\u{308}₁"),
-            ("dot(crank)", "dcrank/dt"),
+            ("dot_x_1", "x\u{307}_1"),
+            ("dot(crank)", "dot(crank)"),
+            ("dot(dot_crank)", "dot(dot_crank)"),
+            ("dot_crank", "dot_crank"),
+            ("dot_", "dot_"),
+            ("pi", "pi"),
             ("lambda(no_slip_1)", "λ(no_slip_1)"),
             ("phi(rod)", "φ(rod)"),
             ("v_B_N_x", "v_B_N_x"),
@@ -150,6 +148,6 @@ mod tests {
 
     #[test]
     fn powers_stand_at_the_function() {
-        assert_eq!((raised("sin θ", 2), raised("cos(a − b)", 12)), ("sin² θ".to_owned(), "cos¹²(a − b)".to_owned()));
+        assert_eq!((raised("sin(θ)", 2), raised("cos(a − b)", 12)), ("sin²(θ)".to_owned(), "cos¹²(a − b)".to_owned()));
     }
 }
