@@ -144,11 +144,11 @@ fn equations(
             let initial = system.clone();
             let mut equations = project(system, &mut forms)?;
             after(Step::Projection, equations.graph.len());
-            let plain = Plain::of(&mut equations, initial);
-            cheapen(&mut equations, &mut forms, plain);
+            let plain = Plain::of(&mut equations, initial.clone());
+            let lighter = cheapen(&mut equations, &mut forms, plain);
             cheapen_outputs(&mut equations, &mut forms);
             unchanged(&equations.graph, &declarations.ident)?;
-            equations
+            if lighter { equations } else { Plain::instead_of(equations, initial) }
         }
     };
     let mut errors = Diagnostics::new();
@@ -180,8 +180,9 @@ fn unchanged(graph: &Graph, model: &Ident) -> Result<(), Diagnostics> {
 }
 
 /// Replaces every group of expressions that is computed together by its cheapest form, or by how it comes without any forms. What
-/// a run needs is the first of them: its forms are compared by the programs that they become.
-fn cheapen(equations: &mut Equations, forms: &mut Forms, mut plain: Option<Plain>) {
+/// a run needs is the first of them: its forms are compared by the programs that they become. Whether it is lighter than as it came
+/// beyond doubt.
+fn cheapen(equations: &mut Equations, forms: &mut Forms, mut plain: Option<Plain>) -> bool {
     let mut graph = std::mem::take(&mut equations.graph);
     for (at, group) in equations.groups().into_iter().enumerate() {
         let roots: Vec<Expr> = group.iter().map(|e| **e).collect();
@@ -193,9 +194,7 @@ fn cheapen(equations: &mut Equations, forms: &mut Forms, mut plain: Option<Plain
         group.into_iter().zip(cheaper).for_each(|(e, new)| *e = new);
     }
     equations.graph = graph;
-    if let Some(plain) = &mut plain {
-        plain.lighten_motion(equations);
-    }
+    plain.is_some_and(|mut plain| plain.lighten_motion(equations))
 }
 
 /// The same for the outputs, which are made of what has become cheaper.

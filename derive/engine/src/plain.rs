@@ -7,7 +7,8 @@
 
 use crate::model::InitialSystem;
 use crate::program::weight;
-use crate::projection::{AsIs, COMPLIANCE_PIVOT, Equations, Guard, GuardKind, INERTIA_PIVOT, project};
+use crate::projection::guards::drop_cancelled_pivots;
+use crate::projection::{AsIs, COMPLIANCE_PIVOT, Equations, Guard, GuardKind, INERTIA_PIVOT, TANGENT_PIVOT, project};
 use crate::simplify::limits::{DIVISOR_WORK, OPENED};
 use crate::simplify::normalise_within;
 use crate::symbolic::powers::Powers;
@@ -16,6 +17,9 @@ use std::collections::BTreeSet;
 
 /// The groups of functions of the state, the motion first.
 const GROUPS: usize = 6;
+
+/// Differences of weights below this part of them are looked at twice.
+const DOUBT: usize = 50;
 
 /// The groups as they come without forms, over the symbols of the equations that they may stand in for.
 pub struct Plain {
@@ -73,8 +77,9 @@ impl Plain {
         lighter.then_some(plain)
     }
 
-    /// Takes the motion, with what is watched, where it is lighter.
-    pub fn lighten_motion(&mut self, equations: &mut Equations) {
+    /// Takes the motion, with what is watched, where it is lighter; whether what is left is lighter beyond doubt: the same
+    /// functions make slightly different programs in different arenas.
+    pub fn lighten_motion(&mut self, equations: &mut Equations) -> bool {
         let own = groups(equations).swap_remove(0);
         let mut graph = std::mem::take(&mut equations.graph);
         let motion = self.groups[0][..self.groups[0].len() - self.guards.len()].to_vec();
@@ -103,7 +108,7 @@ impl Plain {
                 guards.retain(|guard| self.guards.iter().any(|plain| plain.expr == guard.expr));
                 let rest = self.guards.iter().filter(|plain| guards.iter().all(|guard| guard.expr != plain.expr));
                 let rest: Vec<Guard> = rest.cloned().collect();
-                found = Some((motion, [guards, rest].concat()));
+                (best, found) = (least, Some((motion, [guards, rest].concat())));
                 for (group, plain) in equations.groups().into_iter().skip(1).zip(plain) {
                     group.into_iter().zip(plain).for_each(|(e, new)| *e = new);
                 }
@@ -116,6 +121,20 @@ impl Plain {
             equations.guards = guards;
         }
         equations.graph = graph;
+        best + best / DOUBT < least
+    }
+
+    /// The equations as they come, with all that they watch, where the motion is dearer than theirs in spite of all: what nothing
+    /// was gained for is emitted as it was stated.
+    pub fn instead_of(equations: Equations, system: InitialSystem) -> Equations {
+        let Ok(plain) = project(system, &mut AsIs) else { return equations };
+        let cost = |equations: &Equations| {
+            let mut watched = equations.clone();
+            drop_cancelled_pivots(&mut watched, TANGENT_PIVOT);
+            let motion = groups(&mut watched).swap_remove(0);
+            weight(&mut watched.graph, &motion)
+        };
+        if cost(&plain) < cost(&equations) { plain } else { equations }
     }
 
     /// Whether a group is the same functions and divides by nothing new.
