@@ -73,6 +73,11 @@ use proc_macro::TokenStream;
 /// branches are evaluated, one is taken, and derivatives are those of the branch that is taken. `t` is time, `PI` is π.
 /// Literals are exact: `0.1` is one tenth, `1/2` one half.
 ///
+/// Vectors: `A.x` of a frame A, points, `dot(a, b) cross(a, b) norm(a) unit(a) velocity(P) velocity(P, body) acceleration(P)
+/// angular_velocity(B) angular_acceleration(B)`; see below.
+///
+#[doc = include_str!("geometry.md")]
+///
 /// # Arrays and families
 ///
 /// Fields may be arrays (`m: [f64; 5]`, the length a literal; `nominal(1, 2, 3, 2, 1)` gives each entry a value, `nominal(1)`
@@ -259,9 +264,6 @@ use proc_macro::TokenStream;
         start,
         size,
         function,
-        holonomy,
-        unit,
-        nominal,
         frame,
         point,
         particle,
@@ -273,6 +275,9 @@ use proc_macro::TokenStream;
         spring,
         damper,
         armature,
+        holonomy,
+        unit,
+        nominal,
         release
     )
 )]

@@ -2,7 +2,7 @@
 
 use crate::emit::{Declared, Known, Target};
 use crate::projection::Equations;
-use crate::syntax::{Declarations, IndependentEntry, Name, Quantity};
+use crate::syntax::{AXES, Declarations, IndependentEntry, Name, Quantity};
 use proc_macro2::Ident;
 
 /// The user's struct as emission sees it.
@@ -25,6 +25,11 @@ pub fn target(declarations: &Declarations, equations: Option<&Equations>) -> Tar
     let rows = declarations.complement.iter().flat_map(|complement| &complement.rows);
     declared.extend(rows.map(|row| entry(&row.name, &[])));
     declared.extend(declarations.constraints.iter().map(|constraint| entry(&constraint.name, &[])));
+    // The rows of vector equations stand where their constraint does.
+    declared.extend(declarations.constraints.iter().flat_map(|constraint| {
+        let name = &constraint.name;
+        AXES.map(|axis| Declared { name: format!("{name}_{axis}"), span: name.span(), docs: Vec::new() })
+    }));
     Target {
         ident: declarations.ident.clone(),
         vis: declarations.vis.clone(),

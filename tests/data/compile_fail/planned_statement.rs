@@ -1,8 +1,7 @@
 #[coordinates(x)]
 #[inertia(diag(m))]
 #[forces(0)]
-#[gravity(-g*N.y)]
+#[release(pull = { point: O, along: N.y })]
 pub struct Early {
     pub m: f64,
-    pub g: f64,
 }

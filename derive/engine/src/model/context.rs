@@ -77,6 +77,9 @@ impl Context {
     pub const COMPLEMENT_OF_RATES: Context =
         Context { allowed: PLACE.and(Mentions::FURTHER), rule: messages::RULE_COMPLEMENT };
     pub const OUTPUT: Context = Context { allowed: STATE.and(Mentions::OUTPUTS), rule: "" };
+    pub const GEOMETRY: Context = Context { allowed: PLACE, rule: messages::RULE_GEOMETRY };
+    pub const LINE: Context = Context { allowed: PLACE, rule: messages::RULE_LINE };
+    pub const BODY: Context = Context { allowed: Mentions::PARAMETERS, rule: messages::RULE_BODY };
     pub const NUMBER: Context = Context { allowed: Mentions::NONE, rule: messages::RULE_NUMBER };
     /// Where a define is used decides, not where it stands.
     pub const DEFINE: Context = Context { allowed: STATE, rule: "" };

@@ -14,34 +14,43 @@ pub(super) fn inertia(
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Matrix> {
-    let n = vocabulary.coordinates.len();
+    matrix(inertia, (vocabulary.coordinates.len(), "speed", "speeds"), Context::INERTIA, vocabulary, diagnostics)
+}
+
+/// A symmetric n x n matrix as written; `expected` is n, and what there are n of.
+pub(super) fn matrix(
+    inertia: &Inertia,
+    expected: (usize, &str, &str),
+    context: Context,
+    vocabulary: &mut Vocabulary<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Matrix> {
+    let n = expected.0;
     match &inertia.form {
         InertiaForm::Diagonal(entries) => {
-            let fits = fits("inertia", entries.len(), n, inertia.span, diagnostics);
+            let fits = fits("inertia", entries.len(), expected, inertia.span, diagnostics);
             let entries: Vec<Option<Expr>> = entries
                 .iter()
-                .map(|entry| vocabulary.lower(entry, Context::INERTIA, diagnostics).map(|lowered| lowered.expr))
+                .map(|entry| vocabulary.lower(entry, context, diagnostics).map(|lowered| lowered.expr))
                 .collect();
             let entries: Vec<Expr> = entries.into_iter().collect::<Option<_>>()?;
             let zero = vocabulary.graph.zero();
             fits.then(|| Matrix::from_fn(n, n, |i, j| if i == j { entries[i] } else { zero }))
         }
         InertiaForm::Matrix(rows) => {
-            let mut sound = fits("inertia", rows.len(), n, inertia.span, diagnostics);
+            let mut sound = fits("inertia", rows.len(), expected, inertia.span, diagnostics);
             let mut lowered: Vec<Vec<Entry>> = Vec::new();
             for row in rows {
-                sound &= fits("this row of `inertia`", row.entries.len(), n, row.span, diagnostics);
+                sound &= fits("this row of `inertia`", row.entries.len(), expected, row.span, diagnostics);
                 let entries = row.entries.iter();
                 lowered.push(
                     entries
                         .map(|entry| match entry {
                             InertiaEntry::Symmetric(span) => Entry::Symmetric(*span),
-                            InertiaEntry::Given(given) => {
-                                match vocabulary.lower(given, Context::INERTIA, diagnostics) {
-                                    Some(value) => Entry::Given(value.expr, given.place()),
-                                    None => Entry::Refused,
-                                }
-                            }
+                            InertiaEntry::Given(given) => match vocabulary.lower(given, context, diagnostics) {
+                                Some(value) => Entry::Given(value.expr, given.place()),
+                                None => Entry::Refused,
+                            },
                         })
                         .collect(),
                 );
@@ -156,7 +165,8 @@ pub(super) fn forces(
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Vec<Expr>> {
-    let fits = fits("forces", forces.entries.len(), vocabulary.coordinates.len(), forces.span, diagnostics);
+    let expected = (vocabulary.coordinates.len(), "speed", "speeds");
+    let fits = fits("forces", forces.entries.len(), expected, forces.span, diagnostics);
     let entries: Vec<Option<Expr>> = forces
         .entries
         .iter()
@@ -166,17 +176,18 @@ pub(super) fn forces(
     fits.then_some(entries)
 }
 
-fn fits(what: &str, found: usize, speeds: usize, span: Span, diagnostics: &mut Diagnostics) -> bool {
-    if found != speeds {
+fn fits(what: &str, found: usize, expected: (usize, &str, &str), span: Span, diagnostics: &mut Diagnostics) -> bool {
+    let (number, one, many) = expected;
+    if found != number {
         let what = if what.contains(' ') { what.to_owned() } else { format!("`{what}`") };
         diagnostics.report(
             span,
             messages::wrong_length(
                 what,
                 messages::counted(found, "entry", "entries"),
-                messages::counted(speeds, "speed", "speeds"),
+                messages::counted(number, one, many),
             ),
         );
     }
-    found == speeds
+    found == number
 }

@@ -2,6 +2,7 @@
 
 use proc_macro2::Span;
 
+use super::geometry::VECTOR_FUNCTIONS;
 use super::lower::Vocabulary;
 use super::names::Meaning;
 use crate::symbolic::{Expr, Function, Rational};
@@ -156,7 +157,8 @@ impl Call<'_> {
         }
         let alias = ALIASES.iter().find(|(alias, _)| *alias == name).map(|(_, function)| *function);
         let own: Vec<String> = vocabulary.declarations.functions.iter().map(|f| f.name.to_string()).collect();
-        let known = FUNCTIONS.iter().map(|(function, _)| *function).chain(own.iter().map(String::as_str));
+        let known = FUNCTIONS.iter().chain(&VECTOR_FUNCTIONS).map(|(function, _)| *function);
+        let known = known.chain(own.iter().map(String::as_str));
         let meant = alias.or_else(|| nearest(name, known));
         messages::unknown_function(name, did_you_mean(meant))
     }

@@ -5,6 +5,7 @@ use quote::ToTokens;
 
 use super::context::Context;
 use super::functions::Call;
+use super::geometry::{Geometry, VECTOR_FUNCTIONS, Vector, VectorCall, names_a_body};
 use super::names::{Meaning, Mentions, Names};
 use crate::symbolic::{Expr, Function, Graph, Kind, Rational, Symbol};
 use crate::syntax::{Comparison, Declarations, Diagnostics, Expression, Operator, Term, messages};
@@ -48,14 +49,18 @@ pub(super) struct Vocabulary<'a> {
     /// The rates of the quasi-velocities, where something has mentioned them.
     pub quasi_rates: Vec<Option<Symbol>>,
     pub inputs: Vec<Symbol>,
-    /// The reactions that are mentioned: the place of their constraint in the list, and where they are first.
-    pub reactions: Vec<(usize, Symbol, Span)>,
+    /// The reactions that are mentioned, by the names of their rows, and where they are first.
+    pub reactions: Vec<(String, Symbol, Span)>,
     /// The outputs that are lowered so far; without a value where that failed.
     pub outputs: Vec<(String, Option<Lowered>)>,
     /// The functions of the user's.
     pub functions: Vec<Function>,
     /// `None` before a define is lowered, and where that failed.
-    pub defines: Vec<Option<Lowered>>,
+    pub defines: Vec<Option<Valued>>,
+    /// Frames, points and bodies.
+    pub geometry: Geometry,
+    /// The generalised forces on rates that are no speeds: the coordinate and the force.
+    pub forces_on_rates: Vec<(usize, Expr)>,
 }
 
 impl<'a> Vocabulary<'a> {
@@ -97,6 +102,7 @@ impl<'a> Vocabulary<'a> {
             graph.give(&names)
         });
         let functions = functions.collect();
+        let geometry = Geometry::new(&graph, declarations);
         Vocabulary {
             declarations,
             graph,
@@ -121,26 +127,66 @@ impl<'a> Vocabulary<'a> {
             outputs: Vec::new(),
             functions,
             defines: vec![None; declarations.defines.len()],
+            geometry,
+            forces_on_rates: Vec::new(),
         }
     }
 
-    /// The expression in the graph. `None` where something in it was reported, now or before.
+    /// A scalar in the graph. `None` where something in it was reported, now or before.
     pub fn lower(
         &mut self,
         expression: &Expression,
         context: Context,
         diagnostics: &mut Diagnostics,
     ) -> Option<Lowered> {
+        let Valued { value, mentions } = self.value(expression, context, diagnostics)?;
+        match value {
+            Value::Vector(_) => {
+                diagnostics.report(expression.place(), messages::scalar_expected());
+                None
+            }
+            value => Some(Lowered { expr: value.finish(&mut self.graph), mentions }),
+        }
+    }
+
+    /// The same for a vector; 0 stands for one.
+    pub fn lower_vector(
+        &mut self,
+        expression: &Expression,
+        context: Context,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<(Vector, Mentions)> {
+        let Valued { value, mentions } = self.value(expression, context, diagnostics)?;
+        match value {
+            Value::Vector(vector) => Some((vector, mentions)),
+            value => {
+                let scalar = value.finish(&mut self.graph);
+                if !self.graph.is_zero(scalar) {
+                    diagnostics.report(expression.place(), messages::a_vector_expected());
+                    return None;
+                }
+                Some((Vector::default(), mentions))
+            }
+        }
+    }
+
+    /// A scalar or a vector.
+    pub fn value(
+        &mut self,
+        expression: &Expression,
+        context: Context,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Valued> {
         let terms = expression.terms();
         let mut mentions = Mentions::NONE;
         let mut values: Vec<Option<Value>> = Vec::with_capacity(terms.len());
         // `dot` and `reaction` take the name itself, not its value.
         let mut named = vec![false; terms.len()];
         for (term, _) in terms {
-            if let Term::Call(function, arguments) = term
-                && (named_function(function) || function == "reaction")
-            {
-                arguments.iter().for_each(|argument| named[*argument] = true);
+            if let Term::Call(function, arguments) = term {
+                let whole = takes_a_name(function, arguments.len());
+                let taken = arguments.iter().enumerate().filter(|(i, _)| whole || names_a_body(function, *i));
+                taken.for_each(|(_, argument)| named[*argument] = true);
             }
         }
         for (at, (term, span)) in terms.iter().enumerate() {
@@ -149,15 +195,35 @@ impl<'a> Vocabulary<'a> {
                 Term::Number(number) => Some(Value::Expr(self.graph.number(number.clone()))),
                 Term::Name(_) if named[at] => None,
                 Term::Name(name) => {
-                    let lowered = self.name(name, *span, context, diagnostics);
-                    mentions |= lowered.map_or(Mentions::NONE, |lowered| lowered.mentions);
-                    lowered.map(|lowered| Value::Expr(lowered.expr))
+                    let found = self.name(name, *span, context, diagnostics);
+                    mentions |= found.as_ref().map_or(Mentions::NONE, |found| found.mentions);
+                    found.map(|found| found.value)
                 }
-                Term::Negative(of) => take(&mut values, *of).map(|of| of.scaled(Rational::MINUS_ONE)),
+                Term::Axis(name, axis) => {
+                    let found = self.frame_axis(name, *axis, *span, diagnostics);
+                    let found = found.filter(|(_, mentioned)| {
+                        let beyond = mentioned.beyond(context.allowed);
+                        if beyond != Mentions::NONE {
+                            let what = beyond.describe();
+                            diagnostics.report(*span, messages::frame_out_of_place(name, what, context.rule));
+                        }
+                        beyond == Mentions::NONE
+                    });
+                    mentions |= found.as_ref().map_or(Mentions::NONE, |(_, mentions)| *mentions);
+                    found.map(|(vector, _)| Value::Vector(vector))
+                }
+                Term::Negative(of) => match take(&mut values, *of) {
+                    Some(Value::Vector(of)) => Some(Value::Vector(of.negative(&mut self.graph, &self.geometry))),
+                    of => of.map(|of| of.scaled(Rational::MINUS_ONE)),
+                },
                 Term::Binary(operator, left, right) => {
                     let right = take(&mut values, *right);
                     let left = take(&mut values, *left);
                     match (operator, left, right) {
+                        (_, Some(left @ Value::Vector(_)), Some(right))
+                        | (_, Some(left), Some(right @ Value::Vector(_))) => {
+                            self.of_vectors(*operator, left, right, *span, diagnostics)
+                        }
                         (Operator::Divide, left, Some(right)) => {
                             let right = right.finish(&mut self.graph);
                             if self.graph.vanishes(right) {
@@ -182,14 +248,27 @@ impl<'a> Vocabulary<'a> {
                     }
                 }
                 Term::If(comparison, operands) => {
+                    let parts = operands.map(|at| take(&mut values, at));
+                    if parts.iter().flatten().any(|value| matches!(value, Value::Vector(_))) {
+                        diagnostics.report(*span, messages::branch_of_vectors());
+                        values.push(None);
+                        continue;
+                    }
                     let [left, right, then, other] =
-                        operands.map(|at| take(&mut values, at).map(|value| value.finish(&mut self.graph)));
+                        parts.map(|value| value.map(|value| value.finish(&mut self.graph)));
                     match (left, right, then, other) {
                         (Some(left), Some(right), Some(then), Some(other)) => {
                             Some(Value::Expr(self.choose(*comparison, [left, right], [then, other])))
                         }
                         _ => None,
                     }
+                }
+                Term::Call(function, arguments) if is_vector_function(function, arguments.len()) => {
+                    let taken = arguments.iter().map(|argument| take(&mut values, *argument)).collect();
+                    let call = VectorCall { function, span: *span, arguments, terms };
+                    let found = call.lower(taken, mentions, context, self, diagnostics);
+                    mentions |= found.as_ref().map_or(Mentions::NONE, |(_, mentions)| *mentions);
+                    found.map(|(value, _)| value)
                 }
                 Term::Call(function, arguments) if named_function(function) => {
                     let lowered = self.dot(function, *span, arguments, terms, context, diagnostics);
@@ -202,18 +281,67 @@ impl<'a> Vocabulary<'a> {
                     lowered.map(|lowered| Value::Expr(lowered.expr))
                 }
                 Term::Call(function, arguments) => {
-                    let values: Vec<Option<Expr>> = arguments
-                        .iter()
-                        .map(|argument| take(&mut values, *argument).map(|value| value.finish(&mut self.graph)))
-                        .collect();
+                    let taken: Vec<Option<Value>> =
+                        arguments.iter().map(|argument| take(&mut values, *argument)).collect();
+                    if taken.iter().flatten().any(|value| matches!(value, Value::Vector(_))) {
+                        diagnostics.report(*span, messages::vector_argument(function));
+                        values.push(None);
+                        continue;
+                    }
+                    let values: Vec<Option<Expr>> =
+                        taken.into_iter().map(|value| value.map(|value| value.finish(&mut self.graph))).collect();
                     let call = Call { function, span: *span, count: arguments.len() };
                     call.lower(&values, self, diagnostics).map(Value::Expr)
                 }
             };
             values.push(value);
         }
-        let expr = values.pop()??.finish(&mut self.graph);
-        Some(Lowered { expr, mentions })
+        Some(Valued { value: values.pop()??, mentions })
+    }
+
+    /// An operation of which one side at least is a vector.
+    fn of_vectors(
+        &mut self,
+        operator: Operator,
+        left: Value,
+        right: Value,
+        span: Span,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Value> {
+        let (graph, geometry) = (&mut self.graph, &self.geometry);
+        let message = match (operator, left, right) {
+            (Operator::Add, Value::Vector(a), Value::Vector(b)) => {
+                return Some(Value::Vector(a.plus(&b, graph, geometry)));
+            }
+            (Operator::Subtract, Value::Vector(a), Value::Vector(b)) => {
+                let back = b.negative(graph, geometry);
+                return Some(Value::Vector(a.plus(&back, graph, geometry)));
+            }
+            (Operator::Multiply, Value::Vector(_), Value::Vector(_)) => messages::vector_times_vector(),
+            (Operator::Multiply, left, right) => {
+                let (vector, scalar) = match (left, right) {
+                    (Value::Vector(vector), scalar) => (vector, scalar),
+                    (scalar, Value::Vector(vector)) => (vector, scalar),
+                    _ => return None,
+                };
+                let scalar = scalar.finish(graph);
+                return Some(Value::Vector(vector.times(scalar, graph, geometry)));
+            }
+            (Operator::Divide, Value::Vector(vector), scalar) if !matches!(scalar, Value::Vector(_)) => {
+                let scalar = scalar.finish(graph);
+                if graph.vanishes(scalar) {
+                    messages::division_by_zero()
+                } else {
+                    let one = graph.one();
+                    let scale = graph.div(one, scalar);
+                    return Some(Value::Vector(vector.times(scale, graph, geometry)));
+                }
+            }
+            (Operator::Divide, ..) => messages::division_by_vector(),
+            (Operator::Add | Operator::Subtract, ..) => messages::vector_plus_scalar(),
+        };
+        diagnostics.report(span, message);
+        None
     }
 
     /// `if left < right { then } else { other }`, and the same with `<=`, as a selection by the sign of a difference.
@@ -232,12 +360,12 @@ impl<'a> Vocabulary<'a> {
     }
 
     /// A name and what it mentions, if that may occur here.
-    fn name(&mut self, name: &str, span: Span, context: Context, diagnostics: &mut Diagnostics) -> Option<Lowered> {
+    fn name(&mut self, name: &str, span: Span, context: Context, diagnostics: &mut Diagnostics) -> Option<Valued> {
         let Some(meaning) = self.names.get(name) else {
             if context.allowed.intersects(Mentions::OUTPUTS)
                 && self.declarations.outputs.iter().any(|output| output.name.ident == name)
             {
-                return self.output(name, span, diagnostics);
+                return self.output(name, span, diagnostics).map(Valued::from);
             }
             diagnostics.report(span, self.names.unknown(name));
             return None;
@@ -270,8 +398,34 @@ impl<'a> Vocabulary<'a> {
                 diagnostics.report(span, messages::function_as_name(name));
                 return None;
             }
+            Meaning::Inertial | Meaning::Frame(_) => {
+                diagnostics.report(span, messages::frame_as_value(name));
+                return None;
+            }
+            Meaning::Body(_) => {
+                diagnostics.report(span, messages::body_as_value(name));
+                return None;
+            }
+            Meaning::Acting(_) => {
+                diagnostics.report(span, messages::element_as_value(name, meaning.describe()));
+                return None;
+            }
+            Meaning::Origin => {
+                return Some(Valued { value: Value::Vector(Vector::default()), mentions: Mentions::NONE });
+            }
+            Meaning::Point(i) => {
+                let (place, mentions) = self.geometry.named_points[i]?;
+                let beyond = mentions.beyond(context.allowed);
+                if beyond != Mentions::NONE {
+                    let what = beyond.describe();
+                    diagnostics.report(span, messages::point_out_of_place(name, what, context.rule));
+                    return None;
+                }
+                let vector = Vector { from: place, parts: Vec::new() };
+                return Some(Valued { value: Value::Vector(vector), mentions });
+            }
             Meaning::Define(i) => {
-                let define = self.defines[i]?;
+                let define = self.defines[i].clone()?;
                 let beyond = define.mentions.beyond(context.allowed);
                 if beyond != Mentions::NONE {
                     let contains = beyond.describe();
@@ -286,7 +440,7 @@ impl<'a> Vocabulary<'a> {
             diagnostics.report(span, messages::out_of_place(name, what, context.rule));
             return None;
         }
-        Some(Lowered { expr: self.graph.var(symbol), mentions })
+        Some(Valued { value: Value::Expr(self.graph.var(symbol)), mentions })
     }
 }
 
@@ -300,15 +454,40 @@ pub(super) fn named_function(function: &str) -> bool {
     matches!(function, "dot" | "ddot")
 }
 
+/// Whether the arguments are names and no values.
+fn takes_a_name(function: &str, arguments: usize) -> bool {
+    function == "reaction" || (named_function(function) && !is_vector_function(function, arguments))
+}
+
+/// Whether the arguments are vectors: `dot` with two is the scalar product.
+fn is_vector_function(function: &str, arguments: usize) -> bool {
+    (function == "dot" && arguments == 2) || VECTOR_FUNCTIONS.iter().any(|(name, _)| *name == function)
+}
+
 /// Every term but the last is an operand exactly once.
 fn take(values: &mut [Option<Value>], at: usize) -> Option<Value> {
     values[at].take()
 }
 
 /// A sum is kept open until something else is done with it, so that a long one becomes one node.
-enum Value {
+#[derive(Clone, Debug)]
+pub(super) enum Value {
     Expr(Expr),
     Sum(Vec<(Rational, Expr)>),
+    Vector(Vector),
+}
+
+/// A scalar or a vector, and what it mentions.
+#[derive(Clone, Debug)]
+pub(super) struct Valued {
+    pub value: Value,
+    pub mentions: Mentions,
+}
+
+impl From<Lowered> for Valued {
+    fn from(lowered: Lowered) -> Self {
+        Valued { value: Value::Expr(lowered.expr), mentions: lowered.mentions }
+    }
 }
 
 impl Value {
@@ -316,6 +495,8 @@ impl Value {
         match self {
             Value::Expr(expr) => vec![(Rational::ONE, expr)],
             Value::Sum(terms) => terms,
+            // Operations with vectors are apart.
+            Value::Vector(_) => Vec::new(),
         }
     }
 
@@ -331,10 +512,10 @@ impl Value {
         Value::Sum(terms)
     }
 
-    fn finish(self, graph: &mut Graph) -> Expr {
+    pub fn finish(self, graph: &mut Graph) -> Expr {
         match self {
             Value::Expr(expr) => expr,
-            Value::Sum(terms) => graph.linear(Rational::ZERO, &terms),
+            sum => graph.linear(Rational::ZERO, &sum.terms()),
         }
     }
 }

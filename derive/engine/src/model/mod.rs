@@ -7,7 +7,8 @@
 //! | `context` | what may occur where |
 //! | `lower` | expressions as written become expressions of the graph |
 //! | `named` | rates and reactions, which take a name and not its value |
-//! | `defines` | intermediate names in the order of their dependence |
+//! | `geometry` | frames, points and bodies |
+//! | `mechanism` | what bodies come to: a tree of twists |
 //! | `kinematics` | ẋ = A v + a0 (2.1), v = B ẋ + b0 (2.2): one given, the other derived |
 //! | `linear` | splitting what is linear, decided |
 //! | `inverse` | inverses with few divisors |
@@ -23,13 +24,14 @@
 mod choice;
 mod configuration;
 mod context;
-mod defines;
 mod dynamics;
 mod functions;
+mod geometry;
 mod inverse;
 mod kinematics;
 mod linear;
 mod lower;
+pub mod mechanism;
 mod named;
 mod names;
 mod numbers;
@@ -40,13 +42,14 @@ mod system;
 mod tests;
 mod velocities;
 
+pub use mechanism::Mechanism;
 pub use system::{
     ComplementRow, Configuration, Independent, IndependentSpeed, InitialSystem, Kinematics, Output, Outputs, Places,
     Reaction, Row, RowKind, Velocities,
 };
 
-use crate::symbolic::{Expr, Symbol};
-use crate::syntax::{Declarations, Diagnostics, messages};
+use crate::symbolic::{Expr, Matrix, Symbol};
+use crate::syntax::{Declarations, Diagnostics, Place, messages};
 use context::Context;
 use lower::Vocabulary;
 use names::Names;
@@ -70,10 +73,12 @@ pub fn build(declarations: &Declarations) -> Result<InitialSystem, Diagnostics> 
 /// `None` only if something was reported.
 fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option<InitialSystem> {
     let names = Names::of(declarations, diagnostics);
+    let bodies = declarations.geometry.bodies().next();
+    let by_energy = declarations.kinetic_energy.is_some() || bodies.is_some();
     for (missing, statement) in [
         (declarations.coordinates.is_empty(), "coordinates"),
-        (declarations.inertia.is_none() && declarations.kinetic_energy.is_none(), "inertia"),
-        (declarations.forces.is_none() && declarations.kinetic_energy.is_none(), "forces"),
+        (declarations.inertia.is_none() && !by_energy, "inertia"),
+        (declarations.forces.is_none() && !by_energy, "forces"),
     ] {
         if missing {
             diagnostics.report(&declarations.ident, messages::statement_missing(statement));
@@ -83,7 +88,23 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
         return None;
     }
     let vocabulary = &mut Vocabulary::new(declarations, names);
-    defines::lower(vocabulary, diagnostics);
+    geometry::order::lower(vocabulary, diagnostics);
+    if bodies.is_some() {
+        let inertia = declarations.inertia.as_ref().map(|given| (given.span.into(), messages::inertia_and_bodies()));
+        let energy = declarations.kinetic_energy.as_ref().map(|given| (given.place(), messages::kinetic_and_bodies()));
+        for (place, message) in [inertia, energy].into_iter().flatten() {
+            let place: Place = place;
+            diagnostics.report(place, message);
+        }
+    } else {
+        let geometry = &declarations.geometry;
+        let element = geometry.elements.first().map(|element| (Place::from(&element.name), element.kind.statement()));
+        let gravity = geometry.gravity.as_ref().map(|given| (given.place(), "gravity"));
+        let force = geometry.generalized.first().map(|given| (Place::from(&given.name), "generalized_force"));
+        for (place, statement) in [element, gravity, force].into_iter().flatten() {
+            diagnostics.report(place, messages::acts_on_nothing(statement));
+        }
+    }
 
     // All that is written, before anything depends on the kinematics, so that no error hides another.
     let kinematics = kinematics::build(vocabulary, diagnostics);
@@ -97,6 +118,7 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
         .potential_energy
         .as_ref()
         .and_then(|given| vocabulary.lower(given, Context::POTENTIAL, diagnostics).map(|lowered| lowered.expr));
+    let mechanism = geometry::mechanism(vocabulary, diagnostics);
     let written = rows::lower(vocabulary, diagnostics);
     let configuration = configuration::build(vocabulary, diagnostics);
     outputs::lower(vocabulary, diagnostics);
@@ -110,8 +132,9 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
     let rates = rates(&kinematics, vocabulary);
     let rows = rows::finish(&written, &rates, vocabulary, diagnostics);
     let outputs = outputs::finish(&rates, vocabulary);
-    let forces = match (&declarations.forces, &declarations.kinetic_energy) {
-        (None, Some(_)) => Some(vec![vocabulary.graph.zero(); vocabulary.speeds.len()]),
+    let mechanism = mechanism.map(|mechanism| moving(mechanism, &kinematics, &rates, vocabulary));
+    let forces = match &declarations.forces {
+        None if by_energy => Some(vec![vocabulary.graph.zero(); vocabulary.speeds.len()]),
         _ => forces.map(|forces| vocabulary.graph.substitute(&forces, &rates)),
     };
     let kinetic = kinetic.map(|kinetic| vocabulary.graph.substitute(&[kinetic], &rates)[0]);
@@ -123,6 +146,11 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
                 dynamics::compare(given, found, vocabulary, diagnostics);
             }
             found
+        }
+        None if bodies.is_some() => {
+            let n = vocabulary.speeds.len();
+            // What could not be read is reported.
+            mechanism.as_ref().map(|_| Matrix::zeros(&vocabulary.graph, n, n))
         }
         None => inertia,
     };
@@ -148,6 +176,7 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
         forces: forces?,
         kinetic,
         potential,
+        mechanism,
         rows,
         configuration,
         velocities,
@@ -159,7 +188,8 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
             kinematics: declarations.kinematics.as_ref().map_or(model, |statement| statement.span),
             inertia: match (&declarations.kinetic_energy, &declarations.inertia) {
                 (Some(energy), _) => energy.place().start,
-                (None, statement) => statement.as_ref().map_or(model, |statement| statement.span),
+                (None, Some(statement)) => statement.span,
+                (None, None) => bodies.map_or(model, |body| body.name.span()),
             },
             complement: declarations.complement.as_ref().map_or(model, |statement| statement.span),
             start: declarations.start.first().map_or(model, |first| first.name.span()),
@@ -168,6 +198,28 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
         nominal,
         graph: std::mem::take(&mut vocabulary.graph),
     })
+}
+
+/// The mechanism over v: rates are replaced, and forces on rates become forces on speeds by Aᵀ.
+fn moving(
+    mut mechanism: Mechanism,
+    kinematics: &Kinematics,
+    rates: &[(Symbol, Expr)],
+    vocabulary: &mut Vocabulary<'_>,
+) -> Mechanism {
+    let on_rates = std::mem::take(&mut vocabulary.forces_on_rates);
+    let graph = &mut vocabulary.graph;
+    for (i, force) in on_rates {
+        for (j, total) in mechanism.generalized.iter_mut().enumerate() {
+            let part = graph.mul(kinematics.a.get(i, j), force);
+            *total = graph.add(*total, part);
+        }
+    }
+    let mut moving = mechanism.moving();
+    let written: Vec<Expr> = moving.iter().map(|e| **e).collect();
+    let replaced = graph.substitute(&written, rates);
+    moving.iter_mut().zip(replaced).for_each(|(e, new)| **e = new);
+    mechanism
 }
 
 /// What replaces each `dot(x)`: nothing where the rates are the speeds themselves.

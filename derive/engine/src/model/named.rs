@@ -7,7 +7,7 @@ use super::functions::wrong_number_of_arguments;
 use super::lower::{Lowered, Vocabulary, named_function};
 use super::names::{Meaning, Mentions};
 use crate::symbolic::{Kind, Symbol};
-use crate::syntax::{Diagnostics, Term, messages};
+use crate::syntax::{AXES, Diagnostics, Term, messages};
 
 impl Vocabulary<'_> {
     /// An output that another one mentions.
@@ -41,7 +41,10 @@ impl Vocabulary<'_> {
             }
         };
         let constraints = &self.declarations.constraints;
-        let Some(at) = constraints.iter().position(|constraint| constraint.name == name) else {
+        // The rows of a vector equation have the names of its components.
+        let component = AXES.iter().find_map(|axis| name.strip_suffix(axis)?.strip_suffix('_'));
+        let declared = |name: &str| constraints.iter().any(|constraint| constraint.name == name);
+        if !declared(name) && !component.is_some_and(declared) {
             let names: Vec<String> = constraints.iter().map(|constraint| format!("`{}`", constraint.name)).collect();
             let list = match names.as_slice() {
                 [] => "the model has none".to_owned(),
@@ -49,18 +52,18 @@ impl Vocabulary<'_> {
             };
             diagnostics.report(place, messages::reaction_of_no_constraint(name, list));
             return None;
-        };
+        }
         let mentions = Mentions::REACTIONS;
         if mentions.beyond(context.allowed) != Mentions::NONE {
             let text = format!("reaction({name})");
             diagnostics.report(span, messages::out_of_place(text, mentions.describe(), context.rule));
             return None;
         }
-        let symbol = match self.reactions.iter().find(|(other, ..)| *other == at) {
+        let symbol = match self.reactions.iter().find(|(other, ..)| other == name) {
             Some((_, symbol, _)) => *symbol,
             None => {
                 let symbol = self.graph.symbol(&format!("reaction({name})"), Kind::Speed);
-                self.reactions.push((at, symbol, place));
+                self.reactions.push((name.clone(), symbol, place));
                 symbol
             }
         };
@@ -121,7 +124,6 @@ impl Vocabulary<'_> {
                 (Term::Call(inner, _), _) if named_function(inner) => messages::rate_of_rate(),
                 _ => messages::dot_of_expression(),
             },
-            [_, _] if function == "dot" => messages::scalar_product(),
             _ => wrong_number_of_arguments(function, 1, arguments.len()),
         };
         diagnostics.report(span, message);

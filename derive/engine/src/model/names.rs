@@ -6,7 +6,8 @@ use std::ops::BitOrAssign;
 use proc_macro2::Ident;
 
 use super::functions::FUNCTIONS;
-use crate::syntax::{Declarations, Diagnostics, did_you_mean, messages, nearest};
+use super::geometry::VECTOR_FUNCTIONS;
+use crate::syntax::{Declarations, Diagnostics, ElementKind, did_you_mean, messages, nearest};
 
 /// Names with a meaning of their own.
 const RESERVED: [(&str, &str); 4] =
@@ -30,6 +31,14 @@ pub(super) enum Meaning {
     Define(usize),
     /// A function of the user's.
     Function(usize),
+    Frame(usize),
+    Point(usize),
+    /// A body or a particle, counted among these.
+    Body(usize),
+    /// A force, torque, spring and the like.
+    Acting(ElementKind),
+    Inertial,
+    Origin,
     Time,
     Pi,
 }
@@ -48,6 +57,16 @@ impl Meaning {
             Meaning::Input(_) => "an input",
             Meaning::Define(_) => "a define",
             Meaning::Function(_) => "a function",
+            Meaning::Frame(_) => "a frame",
+            Meaning::Point(_) => "a point",
+            Meaning::Body(_) => "a body",
+            Meaning::Acting(ElementKind::Force) => "a force",
+            Meaning::Acting(ElementKind::Torque) => "a torque",
+            Meaning::Acting(ElementKind::Spring) => "a spring",
+            Meaning::Acting(ElementKind::Damper) => "a damper",
+            Meaning::Acting(_) => "an armature",
+            Meaning::Inertial => "the inertial frame",
+            Meaning::Origin => "the origin",
             Meaning::Time => "the time",
             Meaning::Pi => "the number π",
         }
@@ -68,7 +87,8 @@ pub(super) struct Names {
 impl Names {
     /// Enters every name; reserved and duplicate ones are reported.
     pub fn of(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Self {
-        let table = BTreeMap::from([("t".to_owned(), Meaning::Time), ("PI".to_owned(), Meaning::Pi)]);
+        let known = [("t", Meaning::Time), ("PI", Meaning::Pi), ("N", Meaning::Inertial), ("O", Meaning::Origin)];
+        let table = known.into_iter().map(|(name, meaning)| (name.to_owned(), meaning)).collect();
         let outputs = declarations.outputs.iter().map(|output| output.name.ident.to_string()).collect();
         let constraints = declarations.constraints.iter().map(|constraint| constraint.name.to_string()).collect();
         let mut names = Names { table, arrays: declarations.arrays.clone(), outputs, constraints };
@@ -100,9 +120,22 @@ impl Names {
         for (i, define) in declarations.defines.iter().enumerate() {
             enter(&define.name, Meaning::Define(i));
         }
+        let geometry = &declarations.geometry;
+        for (i, frame) in geometry.frames.iter().enumerate() {
+            enter(&frame.name, Meaning::Frame(i));
+        }
+        for (i, point) in geometry.points.iter().enumerate() {
+            enter(&point.name, Meaning::Point(i));
+        }
+        for (i, body) in geometry.bodies().enumerate() {
+            enter(&body.name, Meaning::Body(i));
+        }
+        for element in geometry.elements.iter().filter(|element| !element.kind.has_mass()) {
+            enter(&element.name, Meaning::Acting(element.kind));
+        }
         for (i, function) in declarations.functions.iter().enumerate() {
             let name = function.name.to_string();
-            if FUNCTIONS.iter().any(|(known, _)| *known == name) {
+            if FUNCTIONS.iter().chain(&VECTOR_FUNCTIONS).any(|(known, _)| *known == name) {
                 let message = messages::duplicate_name(name, "a function of the model", "a function of the language");
                 diagnostics.report(&function.name, message);
             } else {
@@ -146,11 +179,8 @@ impl Names {
 
     /// The same for a name that is no output's either.
     pub fn missing(&self, name: &str) -> String {
-        if FUNCTIONS.iter().any(|(function, _)| *function == name) {
+        if FUNCTIONS.iter().chain(&VECTOR_FUNCTIONS).any(|(function, _)| *function == name) {
             return messages::function_as_name(name);
-        }
-        if let Some((_, what)) = RESERVED.iter().find(|(reserved, _)| *reserved == name) {
-            return messages::reserved_not_supported(name, what);
         }
         if self.constraints.iter().any(|constraint| constraint == name) {
             return messages::constraint_as_name(name);

@@ -59,11 +59,8 @@ pub(super) fn finish(rates: &[(Symbol, Expr)], vocabulary: &mut Vocabulary<'_>) 
         }
     }
     let all_of = |symbols: &[Option<Symbol>]| -> Vec<Symbol> { symbols.iter().flatten().copied().collect() };
-    let reaction = |(at, symbol, span): &(usize, Symbol, Span)| Reaction {
-        name: vocabulary.declarations.constraints[*at].name.to_string(),
-        symbol: *symbol,
-        span: *span,
-    };
+    let reaction =
+        |(name, symbol, span): &(String, Symbol, Span)| Reaction { name: name.clone(), symbol: *symbol, span: *span };
     Outputs {
         entries: named.into_iter().zip(exprs).map(|((name, span), expr)| Output { name, span, expr }).collect(),
         accelerations: vocabulary.accelerations.clone(),

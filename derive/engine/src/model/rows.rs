@@ -1,6 +1,7 @@
 //! Constraints, sorted by what they bind.
 
 use super::context::Context;
+use super::geometry::equations::sides;
 use super::linear;
 use super::lower::Vocabulary;
 use super::names::Mentions;
@@ -11,6 +12,8 @@ use crate::syntax::{Constraint, Diagnostics, messages};
 /// A row as written: left minus right, rates not yet replaced.
 pub(super) struct Written<'a> {
     constraint: &'a Constraint,
+    /// Its name: the constraint's, or that of a component of it.
+    name: String,
     expr: Expr,
     mentions: Mentions,
 }
@@ -25,15 +28,20 @@ pub(super) fn lower<'a>(vocabulary: &mut Vocabulary<'a>, diagnostics: &mut Diagn
         if names.contains(&name) {
             diagnostics.report(&constraint.name, messages::constraint_twice(&name));
         }
-        let left = vocabulary.lower(&constraint.left, Context::CONSTRAINT, diagnostics);
-        let right = vocabulary.lower(&constraint.right, Context::CONSTRAINT, diagnostics);
+        let left = vocabulary.value(&constraint.left, Context::CONSTRAINT, diagnostics);
+        let right = vocabulary.value(&constraint.right, Context::CONSTRAINT, diagnostics);
         if let (Some(left), Some(right)) = (left, right) {
-            let mentions = left.mentions.and(right.mentions);
-            if mentions.intersects(variables) {
-                let expr = vocabulary.graph.sub(left.expr, right.expr);
-                written.push(Written { constraint, expr, mentions });
-            } else {
-                diagnostics.report(&constraint.name, messages::constraint_without_variable(&name));
+            for (name, expr, mentions) in sides(constraint, left, right, vocabulary, diagnostics).into_iter().flatten()
+            {
+                if names.contains(&name) && constraint.name != name {
+                    diagnostics.report(&constraint.name, messages::constraint_twice(&name));
+                }
+                if mentions.intersects(variables) {
+                    names.push(name.clone());
+                    written.push(Written { constraint, name, expr, mentions });
+                } else {
+                    diagnostics.report(&constraint.name, messages::constraint_without_variable(&name));
+                }
             }
         }
         names.push(name);
@@ -52,17 +60,17 @@ pub(super) fn finish(
     let second = if needed { second_rates(rates, vocabulary) } else { Vec::new() };
     let all: Vec<(Symbol, Expr)> = rates.iter().chain(&second).copied().collect();
     let mut rows = Vec::new();
-    for Written { constraint, expr, mentions } in written {
+    for Written { constraint, name, expr, mentions } in written {
         let expr = vocabulary.graph.substitute(&[*expr], &all)[0];
         let kind = if mentions.intersects(Mentions::ACCELERATIONS) {
-            acceleration(expr, constraint, vocabulary, diagnostics)
+            acceleration(expr, (constraint, name), vocabulary, diagnostics)
         } else if mentions.intersects(Mentions::SPEEDS.and(Mentions::RATES)) {
-            velocity(expr, constraint, vocabulary, diagnostics)
+            velocity(expr, (constraint, name), vocabulary, diagnostics)
         } else {
-            position(expr, constraint, vocabulary, diagnostics)
+            position(expr, (constraint, name), vocabulary, diagnostics)
         };
         if let Some(kind) = kind {
-            let (name, span) = (constraint.name.to_string(), constraint.name.span());
+            let (name, span) = (name.clone(), constraint.name.span());
             rows.push(Row { name, span, kind, redundant: constraint.redundant });
         }
     }
@@ -86,14 +94,14 @@ pub(super) fn second_rates(rates: &[(Symbol, Expr)], vocabulary: &mut Vocabulary
 
 fn position(
     f: Expr,
-    constraint: &Constraint,
+    (constraint, name): (&Constraint, &str),
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<RowKind> {
     let graph = &mut vocabulary.graph;
     let gradient = graph.jacobian(&[f], &vocabulary.coordinates);
     if all_vanish(graph, gradient.entries()) {
-        diagnostics.report(&constraint.name, messages::constraint_without_variable(&constraint.name));
+        diagnostics.report(&constraint.name, messages::constraint_without_variable(name));
         return None;
     }
     Some(RowKind::Position(f))
@@ -101,7 +109,7 @@ fn position(
 
 fn velocity(
     phi: Expr,
-    constraint: &Constraint,
+    (constraint, name): (&Constraint, &str),
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<RowKind> {
@@ -110,7 +118,7 @@ fn velocity(
         // Chetaev: its reaction is along ∂φ/∂v.
         Err(_) => Some(RowKind::Nonlinear(phi)),
         Ok(split) if all_vanish(graph, split.coefficients.entries()) => {
-            diagnostics.report(&constraint.name, messages::constraint_without_speed(&constraint.name));
+            diagnostics.report(&constraint.name, messages::constraint_without_speed(name));
             None
         }
         Ok(_) => Some(RowKind::Velocity(phi)),
@@ -119,7 +127,7 @@ fn velocity(
 
 fn acceleration(
     row: Expr,
-    constraint: &Constraint,
+    (constraint, name): (&Constraint, &str),
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<RowKind> {
@@ -128,12 +136,12 @@ fn acceleration(
         Err(refused) => {
             for nonlinear in refused {
                 let variable = graph.name(nonlinear.variable);
-                diagnostics.report(&constraint.name, messages::constraint_not_linear(&constraint.name, variable));
+                diagnostics.report(&constraint.name, messages::constraint_not_linear(name, variable));
             }
             None
         }
         Ok(split) if all_vanish(graph, split.coefficients.entries()) => {
-            diagnostics.report(&constraint.name, messages::constraint_without_acceleration(&constraint.name));
+            diagnostics.report(&constraint.name, messages::constraint_without_acceleration(name));
             None
         }
         Ok(split) => {

@@ -2,6 +2,7 @@
 
 use proc_macro2::Span;
 
+use super::mechanism::Mechanism;
 use crate::symbolic::{Expr, Graph, Matrix, Symbol};
 use crate::syntax::Place;
 
@@ -33,6 +34,9 @@ pub struct InitialSystem {
     pub kinetic: Option<Expr>,
     /// V, where the model gives it.
     pub potential: Option<Expr>,
+    /// The bodies, where the model has any: `inertia` is all zeros then and `forces` what the model lists besides, until the
+    /// projection finds M, h*, T and V.
+    pub mechanism: Option<Mechanism>,
     /// The constraints in order.
     pub rows: Vec<Row>,
     /// x = g(q, t) (4.2), where the model gives it.
@@ -52,6 +56,18 @@ pub struct InitialSystem {
     pub start: Vec<(Symbol, f64)>,
     /// Numbers for judging, from `nominal`: parameters.
     pub nominal: Vec<(Symbol, f64)>,
+}
+
+impl InitialSystem {
+    /// Whether v are the rates of x themselves.
+    pub fn rates_are_speeds(&self) -> bool {
+        let (a, n) = (&self.kinematics.a, self.speeds.len());
+        let unit = |i: usize, j: usize| match i == j {
+            true => self.graph.is_one(a.get(i, j)),
+            false => self.graph.is_zero(a.get(i, j)),
+        };
+        (0..n).all(|i| self.graph.is_zero(self.kinematics.a0[i]) && (0..n).all(|j| unit(i, j)))
+    }
 }
 
 /// Both directions of the kinematics.

@@ -2,6 +2,7 @@
 //!
 //! | file | idea |
 //! |---|---|
+//! | `bodies` | M, h*, T and V of bodies, by partial velocities |
 //! | [`lagrange`] | the inertia terms of h* from the kinetic energy |
 //! | [`constraints`] | rows differentiated to C v̇ + c0* = 0 (2.5), (2.6) |
 //! | [`dependence`] | which rows are independent, which repeat others, which contradict |
@@ -29,6 +30,7 @@
 
 pub mod acceleration;
 pub mod back;
+mod bodies;
 pub mod carriers;
 pub mod chart;
 pub mod combined;

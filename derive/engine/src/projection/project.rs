@@ -12,7 +12,7 @@ use super::judge::{figure, judge, relative_pivot};
 use super::outputs::{bind, outputs};
 use super::reactions::{Motion, rates as rates_of, reactions, shared};
 use super::tangent::tangent;
-use super::{Simplifier, constraints::DifferentiatedRow, lagrange, messages};
+use super::{Simplifier, bodies, constraints::DifferentiatedRow, lagrange, messages};
 use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Graph, Matrix, Rational, Stage};
 use crate::syntax::Diagnostics;
@@ -24,7 +24,10 @@ pub const TANGENT_PIVOT: &str =
 /// Projects the initial system onto the motions that its constraints leave, or says why it cannot.
 pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Result<Equations, Diagnostics> {
     let mut errors = Diagnostics::new();
-    lagrange::complete(&mut system, simplifier);
+    match system.mechanism {
+        Some(_) => bodies::complete(&mut system, simplifier),
+        None => lagrange::complete(&mut system, simplifier),
+    }
     let rows = differentiate(&mut system);
     let n = system.speeds.len();
     let sorted = sort(&mut system.graph, simplifier, &rows, n, &mut errors);

@@ -97,6 +97,7 @@ fn disk() -> Disk {
         inertia,
         forces: vec![h1, h2, h3, h4, h5, zero],
         kinetic: None,
+        mechanism: None,
         potential: None,
         rows: vec![],
         configuration: None,

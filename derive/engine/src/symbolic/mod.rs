@@ -21,6 +21,7 @@
 //! | [`powers`] | expressions that are powers of others |
 //! | [`matrix`] | matrices of expressions |
 //! | [`display`] | text for messages and documentation |
+//! | [`triple`] | vectors and rotations of mechanics |
 //! | [`unicode`] | names as in print |
 
 pub mod blocks;
@@ -44,6 +45,7 @@ pub mod substitute;
 pub mod tables;
 #[cfg(test)]
 mod tests;
+pub mod triple;
 pub mod unicode;
 
 pub use construct::Assumptions;
@@ -54,3 +56,4 @@ pub use graph::Graph;
 pub use matrix::Matrix;
 pub use node::{Expr, Function, Kind, Node, Stage, Symbol};
 pub use rational::Rational;
+pub use triple::{Rotation, Triple};

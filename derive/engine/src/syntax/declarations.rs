@@ -7,6 +7,7 @@ use syn::{Generics, Path, Type, Visibility};
 
 use super::diagnostics::Place;
 use super::expression::Expression;
+use super::geometry::Geometry;
 
 /// A derive input, statement by statement.
 #[derive(Clone, Debug)]
@@ -57,6 +58,8 @@ pub struct Declarations {
     pub complement: Option<Complement>,
     /// `#[start(..)]`.
     pub start: Vec<Assignment>,
+    /// `frame`, `point`, `body` and the like.
+    pub geometry: Geometry,
     /// Whether errors, if there are any, left no more than holes in expressions. Otherwise names or
     /// entries are missing, and checks of the model would report what is not the user's mistake.
     pub complete: bool,
@@ -247,6 +250,8 @@ pub struct Constraint {
     pub right: Expression,
     /// Whether the model says that it may depend on other constraints.
     pub redundant: bool,
+    /// `expressed = B`: the frame of whose axes a vector equation's rows are components.
+    pub expressed: Option<Ident>,
 }
 
 /// `#[configuration(of(alpha), x = .., z = 0)]`, and with quasi-velocities `speeds(u), dot(alpha) = ..` or `u = ..`

@@ -6,7 +6,7 @@
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::parse::{ParseStream, Parser};
-use syn::{BinOp, Expr, ExprUnary, UnOp, parenthesized};
+use syn::{BinOp, Expr, ExprField, ExprUnary, Member, UnOp, parenthesized};
 
 use super::diagnostics::{Diagnostics, Place, messages};
 use super::refusal::refusal;
@@ -27,6 +27,8 @@ pub enum Term {
     Number(Rational),
     /// A name.
     Name(String),
+    /// `A.x`: an axis of a frame, counted from zero.
+    Axis(String, usize),
     /// `-a`
     Negative(usize),
     /// `a + b` and the like.
@@ -38,6 +40,31 @@ pub enum Term {
     If(Comparison, [usize; 4]),
     /// What could not be read; its error is reported already.
     Hole,
+}
+
+impl Term {
+    fn operands(&self) -> Vec<usize> {
+        match self {
+            Term::Number(_) | Term::Name(_) | Term::Axis(..) | Term::Hole => Vec::new(),
+            Term::Negative(of) => vec![*of],
+            Term::Binary(_, left, right) => vec![*left, *right],
+            Term::Call(_, arguments) => arguments.clone(),
+            Term::If(_, parts) => parts.to_vec(),
+        }
+    }
+
+    /// The term in a list that begins with the term `first`.
+    fn shifted(&self, first: usize) -> Term {
+        match self {
+            Term::Negative(of) => Term::Negative(of - first),
+            Term::Binary(operator, left, right) => Term::Binary(*operator, left - first, right - first),
+            Term::Call(function, arguments) => {
+                Term::Call(function.clone(), arguments.iter().map(|at| at - first).collect())
+            }
+            Term::If(comparison, parts) => Term::If(*comparison, parts.map(|at| at - first)),
+            other => other.clone(),
+        }
+    }
 }
 
 /// The four operations.
@@ -87,6 +114,21 @@ impl Expression {
                 Expression::hole(place)
             }
         }
+    }
+
+    /// An operand as an expression of its own.
+    pub(crate) fn part(&self, at: usize) -> Expression {
+        // Operands lie before what uses them without a gap.
+        let mut first = at;
+        let mut open = vec![at];
+        while let Some(term) = open.pop() {
+            first = first.min(term);
+            open.extend(self.terms[term].0.operands());
+        }
+        let terms: Vec<(Term, Span)> =
+            self.terms[first..=at].iter().map(|(term, span)| (term.shifted(first), *span)).collect();
+        let place = Place::between(self.terms[first].1, self.terms[at].1);
+        Expression { terms, place }
     }
 
     fn hole(place: Place) -> Self {
@@ -196,6 +238,10 @@ fn flatten(root: Expr, place: Place, diagnostics: &mut Diagnostics) -> Expressio
                     Ok(number) => Ok((Term::Number(number), literal.lit.span())),
                     Err(message) => Err((literal.lit.span(), message)),
                 },
+                Expr::Field(field) => match axis_of(&field) {
+                    Some((frame, axis)) => Ok((Term::Axis(frame.to_string(), axis), frame.span())),
+                    None => Err(refusal(&Expr::Field(field), place.start)),
+                },
                 Expr::Path(path) => match path.path.get_ident() {
                     Some(ident) if path.qself.is_none() && ident != "self" => {
                         Ok((Term::Name(ident.to_string()), ident.span()))
@@ -254,6 +300,17 @@ fn operator(op: &BinOp) -> Result<(Operator, Span), (Span, String)> {
             Err((span, messages::operator(text)))
         }
     }
+}
+
+/// The axes of a frame, by their names.
+pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// `A.x`
+fn axis_of(field: &ExprField) -> Option<(Ident, usize)> {
+    let (Expr::Path(path), Member::Named(name)) = (&*field.base, &field.member) else { return None };
+    let frame = path.path.get_ident().filter(|frame| path.qself.is_none() && *frame != "self")?;
+    let axis = AXES.iter().position(|axis| name == axis)?;
+    Some((frame.clone(), axis))
 }
 
 /// The plain name of a called function.

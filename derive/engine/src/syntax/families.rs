@@ -115,10 +115,13 @@ impl Families {
                 out.extend(comma);
                 continue;
             };
-            // A word about the family is one about each of its entries.
-            let word = entries.next_if(|(next, _)| is_word(next)).map(|(word, _)| word);
-            for copy in self.copies(&entry[..at], &entry[at..], diagnostics) {
-                for part in std::iter::once(copy).chain(word.clone()) {
+            // Words about the family are about each of its entries.
+            let mut columns = vec![self.copies(&entry[..at], &entry[at..], diagnostics)];
+            while let Some((word, _)) = entries.next_if(|(next, _)| is_word(next)) {
+                columns.push(self.copies(&word, &entry[at..], diagnostics));
+            }
+            for row in 0..columns[0].len() {
+                for part in columns.iter_mut().filter_map(|column| column.get_mut(row)).map(std::mem::take) {
                     let end = part.last().map_or(entry[at].span(), TokenTree::span);
                     out.extend(part);
                     out.push(punct(',', end));
@@ -278,7 +281,11 @@ impl Families {
 
 /// Whether an entry is a word about the constraint before it.
 fn is_word(entry: &[TokenTree]) -> bool {
-    matches!(entry, [TokenTree::Ident(word)] if word == "redundant")
+    match entry {
+        [TokenTree::Ident(word)] => word == "redundant",
+        [TokenTree::Ident(word), equals, _, ..] => word == "expressed" && is_punct(equals, '='),
+        _ => false,
+    }
 }
 
 /// Whether names are introduced in the parentheses behind this word.

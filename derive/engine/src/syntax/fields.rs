@@ -238,7 +238,7 @@ fn unit(expression: &Expression, diagnostics: &mut Diagnostics) -> Option<Unit> 
                 (Vec::new(), Some(whole))
             }
             Term::Hole => return None,
-            Term::If(..) => return refused(diagnostics, *span),
+            Term::If(..) | Term::Axis(..) => return refused(diagnostics, *span),
             Term::Negative(of) => match values[*of].1 {
                 Some(number) => (Vec::new(), number.checked_neg()),
                 None => return refused(diagnostics, *span),

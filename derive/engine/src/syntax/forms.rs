@@ -96,7 +96,7 @@ fn inertia_row(row: &Entry, diagnostics: &mut Diagnostics) -> Option<InertiaRow>
     Some(InertiaRow { entries, span })
 }
 
-/// `name: left == right`, each perhaps with `redundant` behind it
+/// `name: left == right`, each perhaps with `redundant` or `expressed = B` behind it
 pub(super) fn constraints(entries: &[Entry], diagnostics: &mut Diagnostics) -> Vec<Constraint> {
     let mut read: Vec<Constraint> = Vec::new();
     // Whether the entry before was a constraint, if only an unreadable one.
@@ -110,6 +110,14 @@ pub(super) fn constraints(entries: &[Entry], diagnostics: &mut Diagnostics) -> V
                     constraint.redundant = true;
                 }
                 follows = false;
+            }
+            [TokenTree::Ident(word), equals, frame @ ..] if word == "expressed" && is_punct(equals, '=') => {
+                let frame = single_ident(frame, entry.place(), diagnostics);
+                match read.last_mut() {
+                    Some(constraint) if follows => constraint.expressed = frame,
+                    _ if follows => {}
+                    _ => diagnostics.report(word, messages::expressed_form()),
+                }
             }
             _ => {
                 read.extend(constraint(entry, diagnostics));
@@ -133,7 +141,7 @@ fn constraint(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<Constraint
         [at] => {
             let left = Expression::read(&equation[..*at], colon, diagnostics);
             let right = Expression::read(&equation[at + 2..], equation[at + 1].span(), diagnostics);
-            Some(Constraint { name: name?, left, right, redundant: false })
+            Some(Constraint { name: name?, left, right, redundant: false, expressed: None })
         }
         [] => {
             match single_equals(equation) {

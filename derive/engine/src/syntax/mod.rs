@@ -11,6 +11,7 @@ mod expression;
 mod families;
 mod fields;
 mod forms;
+mod geometry;
 mod integer;
 mod nesting;
 mod number;
@@ -26,7 +27,9 @@ use proc_macro2::TokenStream;
 pub use declarations::*;
 pub use diagnostics::{Diagnostic, Diagnostics, Place, nearest};
 pub(crate) use diagnostics::{did_you_mean, messages};
+pub(crate) use expression::AXES;
 pub use expression::{Comparison, Expression, Operator, Term};
+pub use geometry::{BodyInertia, Element, ElementKind, Geometry};
 pub use statements::{FIELD_STATEMENTS, PLANNED_STATEMENTS, STATEMENTS, helper_attributes};
 
 /// Reads a derive input without an error.

@@ -8,6 +8,7 @@ use super::diagnostics::{Diagnostics, messages};
 use super::entries::{self, Entry};
 use super::families::Families;
 use super::forms::*;
+use super::geometry::{ElementKind, Geometry, element};
 use super::statements::{FIELD_STATEMENTS, PLANNED_STATEMENTS, STATEMENTS, misspelt};
 use super::{fields, options};
 
@@ -58,15 +59,13 @@ pub(crate) fn declarations(input: DeriveInput, diagnostics: &mut Diagnostics) ->
         independent: Vec::new(),
         complement: None,
         start: Vec::new(),
+        geometry: Geometry::default(),
         complete: true,
     };
     let mut seen: Vec<String> = Vec::new();
     for statement in &statements {
         let name = statement.name.to_string();
-        let repeatable = matches!(
-            name.as_str(),
-            "constraint" | "define" | "function" | "start" | "inputs" | "independent" | "output"
-        );
+        let repeatable = REPEATABLE.contains(&name.as_str()) || ElementKind::of(&name).is_some();
         if seen.contains(&name) && !repeatable {
             diagnostics.report(&statement.name, messages::statement_twice(&name));
         } else {
@@ -77,6 +76,20 @@ pub(crate) fn declarations(input: DeriveInput, diagnostics: &mut Diagnostics) ->
     declarations.complete = diagnostics.only_local();
     declarations
 }
+
+/// Statements that may stand several times, besides those of elements.
+const REPEATABLE: [&str; 10] = [
+    "constraint",
+    "define",
+    "function",
+    "start",
+    "inputs",
+    "independent",
+    "output",
+    "frame",
+    "point",
+    "generalized_force",
+];
 
 /// Sizes and lengths first, wherever they stand; then every statement without families.
 fn write_out(statements: &mut Vec<Statement>, families: &mut Families, diagnostics: &mut Diagnostics) {
@@ -176,7 +189,18 @@ fn read(statement: &Statement, model: &mut Declarations, diagnostics: &mut Diagn
             let rows = entries.iter().filter_map(|entry| complement_row(entry, diagnostics)).collect();
             model.complement = Some(Complement { rows, span });
         }
+        "frame" => model.geometry.frames.extend(assignments(&entries, "A = rotate(N, z, theta)", diagnostics)),
+        "point" => model.geometry.points.extend(assignments(&entries, "P = O + l*A.x", diagnostics)),
+        "gravity" => model.geometry.gravity = single(&entries, diagnostics),
+        "generalized_force" => {
+            model.geometry.generalized.extend(assignments(&entries, "theta = expression", diagnostics));
+        }
         "holonomy" => options::read(&entries, &mut model.options, diagnostics),
-        _ => {}
+        name => {
+            if let Some(kind) = ElementKind::of(name) {
+                let elements = entries.iter().filter_map(|entry| element(kind, entry, diagnostics));
+                model.geometry.elements.extend(elements);
+            }
+        }
     }
 }

@@ -22,15 +22,6 @@ pub const STATEMENTS: &[&str] = &[
     "start",
     "size",
     "function",
-    "holonomy",
-];
-
-/// The statements that stand on a field.
-pub const FIELD_STATEMENTS: &[&str] = &["unit", "nominal"];
-
-/// Statements with a place in the language that this version does not derive yet. They are
-/// registered with the derive all the same, so that the error is ours and tells what is missing.
-pub const PLANNED_STATEMENTS: &[&str] = &[
     "frame",
     "point",
     "particle",
@@ -42,8 +33,15 @@ pub const PLANNED_STATEMENTS: &[&str] = &[
     "spring",
     "damper",
     "armature",
-    "release",
+    "holonomy",
 ];
+
+/// The statements that stand on a field.
+pub const FIELD_STATEMENTS: &[&str] = &["unit", "nominal"];
+
+/// Statements with a place in the language that this version does not derive yet. They are
+/// registered with the derive all the same, so that the error is ours and tells what is missing.
+pub const PLANNED_STATEMENTS: &[&str] = &["release"];
 
 /// Every attribute name that `#[proc_macro_derive(.., attributes(..))]` registers: the three lists
 /// above, in this order.

@@ -25,8 +25,8 @@ fn every_message_about_an_expression() {
         (
             r#"#[forces(N, O)]"#,
             &[
-                "1:10 `N`: `N` stands for the inertial frame, which is not supported yet",
-                "1:13 `O`: `O` stands for the origin, which is not supported yet",
+                "1:10 `N`: `N` is a frame; its axes are `N.x`, `N.y` and `N.z`",
+                "1:13 `O`: expected a scalar, found a vector; write a component such as `dot(a, N.x)`, or `norm(a)`",
             ],
         ),
         (
@@ -106,10 +106,7 @@ fn every_message_about_an_expression() {
         ),
         (
             r#"#[forces(dot(x, y), dot(q))]"#,
-            &[
-                "1:10 `dot`: `dot` with two arguments is the scalar product of vectors, which is not supported yet",
-                "1:25 `q`: cannot find `q` in this model",
-            ],
+            &["1:10 `dot`: `dot` takes vectors, such as `A.x` or a point", "1:25 `q`: cannot find `q` in this model"],
         ),
         (
             r#"#[forces(ddot(x), dot(dot(x)))]"#,

@@ -57,7 +57,7 @@ fn parse(system: &mut InitialSystem, text: &str) -> Expr {
                 "sqrt" => graph.sqrt(values[arguments[0]]),
                 _ => panic!("{function}"),
             },
-            Term::If(..) | Term::Hole => panic!("not in these texts"),
+            Term::If(..) | Term::Axis(..) | Term::Hole => panic!("not in these texts"),
         };
         values.push(value);
     }

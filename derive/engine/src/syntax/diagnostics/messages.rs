@@ -16,6 +16,9 @@ macro_rules! messages {
     };
 }
 
+mod geometry;
+pub(crate) use geometry::*;
+
 // The input as a whole.
 messages! {
     not_a_struct(what) =
@@ -143,7 +146,7 @@ messages! {
     field_of_self(name) =
         "fields are visible by name; write `{name}` instead of `self.{name}`";
     component(name) =
-        "components such as `.{name}` are not supported yet; a name stands for a number";
+        "there is no component `.{name}`: the axes of a frame are `A.x`, `A.y` and `A.z`";
     path() =
         "paths are not part of an equation: use plain names";
     path_to_pi() =
@@ -182,8 +185,6 @@ messages! {
 messages! {
     reserved_name(name, what) =
         "`{name}` is reserved for {what}; choose another name";
-    reserved_not_supported(name, what) =
-        "`{name}` stands for {what}, which is not supported yet";
     duplicate_name(name, what, other) =
         "`{name}` cannot be {what}: it is {other} already";
     name_of_rate(name, of) =
@@ -198,8 +199,8 @@ messages! {
         "`{name}` is {what}, but {rule}";
     define_out_of_place(name, contains, rule) =
         "the define `{name}` contains {contains}, but {rule}";
-    cycle(names) =
-        "the define is needed for its own value: {names}";
+    cycle(what, names) =
+        "the {what} is needed for its own value: {names}";
     output_twice(name) =
         "there is an output `{name}` already";
     output_later(name) =
@@ -261,8 +262,6 @@ messages! {
         "`{name}` is {what}; `dot` takes the name of a coordinate or of a speed";
     dot_of_expression() =
         "`dot` takes the name of a coordinate; apply the chain rule, or make the expression a coordinate";
-    scalar_product() =
-        "`dot` with two arguments is the scalar product of vectors, which is not supported yet";
     acceleration(function, name) =
         "`{function}({name})` is an acceleration, which only `constraint` can bind";
     rate_without_name(name, what) =

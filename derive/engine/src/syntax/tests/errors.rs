@@ -18,9 +18,9 @@ fn forms_of_statements() {
         (r#"coordinate(x)"#, &["1:3 `coordinate`: there is no statement `coordinate`; did you mean `coordinates`?"]),
         (r#"cordinates(x)"#, &["1:3 `cordinates`: there is no statement `cordinates`; did you mean `coordinates`?"]),
         (
-            r#"frame(A = rotate(N, z, a))"#,
+            r#"release(pull = { point: P, along: N.x })"#,
             &[
-                "1:3 `frame`: the statement `frame` is not supported yet; state the equations with `inertia`, `forces` and `constraint`",
+                "1:3 `release`: the statement `release` is not supported yet; state the equations with `inertia`, `forces` and `constraint`",
             ],
         ),
         (r#"unit(kg)"#, &["1:3 `unit`: the statement `unit` belongs on a field, not on the struct"]),
@@ -178,8 +178,8 @@ fn rust_that_is_no_equation() {
         ),
         (r#"sin(x).cos()"#, &["1:29 `cos`: functions are not called as methods; write `cos(x)` instead of `x.cos()`"]),
         (r#"self.m"#, &["1:27 `m`: fields are visible by name; write `m` instead of `self.m`"]),
-        (r#"A.x"#, &["1:24 `x`: components such as `.x` are not supported yet; a name stands for a number"]),
-        (r#"a.0"#, &["1:24 `0`: components such as `.0` are not supported yet; a name stands for a number"]),
+        (r#"A.w"#, &["1:24 `w`: there is no component `.w`: the axes of a frame are `A.x`, `A.y` and `A.z`"]),
+        (r#"a.0"#, &["1:24 `0`: there is no component `.0`: the axes of a frame are `A.x`, `A.y` and `A.z`"]),
         (r#"std::f64::consts::PI"#, &["1:40 `PI`: write `PI`, without a path"]),
         (r#"f64::sin(x)"#, &["1:30 `(`: only functions with a plain name can be called, such as `sin(theta)`"]),
         (r#"f64::MAX"#, &["1:27 `MAX`: paths are not part of an equation: use plain names"]),

@@ -1,0 +1,174 @@
+//! Frames that turn against others about axes that are fixed in both.
+
+use super::Vector;
+use super::vector::path;
+use crate::model::context::Context;
+use crate::model::lower::{Lowered, Vocabulary};
+use crate::model::names::{Meaning, Mentions};
+use crate::symbolic::{Expr, Rotation, Stage, Symbol, Triple};
+use crate::syntax::{AXES, Diagnostics, Expression, Term, did_you_mean, messages, nearest};
+use proc_macro2::Span;
+
+/// A frame.
+#[derive(Clone, Debug)]
+pub(in crate::model) struct Frame {
+    /// The frame against which it turns, before it in the list; the inertial frame's is itself.
+    pub base: usize,
+    /// From components in its axes to those in the base's.
+    pub rotation: Rotation,
+    /// The angular velocity against the base.
+    pub spin: Triple,
+    /// The angular velocity against the inertial frame, in its own axes.
+    pub omega: Triple,
+    /// What the rotations from the inertial frame to it mention.
+    pub mentions: Mentions,
+}
+
+impl Vocabulary<'_> {
+    /// `rotate(base, axis, angle)`, the base perhaps such a rotation itself; the last is the frame.
+    pub(super) fn frame(&mut self, written: &Expression, diagnostics: &mut Diagnostics) -> Option<usize> {
+        // From the outermost call inwards.
+        let mut turns: Vec<(Expression, Expression)> = Vec::new();
+        let mut at = written.clone();
+        loop {
+            let terms = at.terms();
+            match terms.last() {
+                Some((Term::Call(function, arguments), span)) if function == "rotate" => {
+                    let [base, axis, angle] = arguments.as_slice() else {
+                        diagnostics.report(*span, messages::frame_form());
+                        return None;
+                    };
+                    turns.push((at.part(*axis), at.part(*angle)));
+                    at = at.part(*base);
+                }
+                Some((Term::Name(name), span)) if !turns.is_empty() => {
+                    let mut frame = self.frame_named(name, *span, diagnostics);
+                    for (axis, angle) in turns.iter().rev() {
+                        frame = self.turned(frame, axis, angle, diagnostics);
+                    }
+                    return frame;
+                }
+                Some((Term::Hole, _)) | None => return None,
+                Some((_, span)) => {
+                    let place = if turns.is_empty() { written.place() } else { (*span).into() };
+                    diagnostics.report(place, messages::frame_form());
+                    return None;
+                }
+            }
+        }
+    }
+
+    /// The frame that a name stands for.
+    pub(in crate::model) fn frame_named(&self, name: &str, span: Span, diagnostics: &mut Diagnostics) -> Option<usize> {
+        match self.names.get(name) {
+            Some(Meaning::Inertial) => Some(0),
+            Some(Meaning::Frame(i)) => self.geometry.named_frames[i],
+            Some(meaning) => {
+                diagnostics.report(span, messages::frame_expected(name, meaning.describe()));
+                None
+            }
+            None => {
+                let frames = self.declarations.geometry.frames.iter().map(|frame| frame.name.to_string());
+                let frames: Vec<String> = frames.chain(["N".to_owned()]).collect();
+                let hint = did_you_mean(nearest(name, frames.iter().map(String::as_str)));
+                diagnostics.report(span, messages::frame_unknown(name, hint));
+                None
+            }
+        }
+    }
+
+    fn turned(
+        &mut self,
+        base: Option<usize>,
+        axis: &Expression,
+        angle: &Expression,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<usize> {
+        let components = self.axis(base, axis, diagnostics);
+        let Lowered { expr: angle, mentions } = self.lower(angle, Context::GEOMETRY, diagnostics)?;
+        let (base, axis) = (base?, components?);
+        let motion = self.motion();
+        let graph = &mut self.graph;
+        let rotation = graph.rotation(&axis, angle);
+        let rate = graph.along(&[angle], &motion)[0];
+        let spin = graph.times(rate, &axis);
+        let parent = &self.geometry.frames[base];
+        let carried = graph.turned_back(&rotation, &parent.omega);
+        let omega = graph.plus(&carried, &spin);
+        let mentions = mentions.and(parent.mentions);
+        self.geometry.frames.push(Frame { base, rotation, spin, omega, mentions });
+        Some(self.geometry.frames.len() - 1)
+    }
+
+    /// `x`, `-z`, or a unit vector that is fixed in the base.
+    fn axis(&mut self, base: Option<usize>, written: &Expression, diagnostics: &mut Diagnostics) -> Option<Triple> {
+        let bare = |term: &Term| match term {
+            Term::Name(name) => AXES.iter().position(|axis| name == axis),
+            _ => None,
+        };
+        match written.terms() {
+            [(term, _)] if bare(term).is_some() => return bare(term).map(|axis| self.graph.axis(axis)),
+            [(term, _), (Term::Negative(_), _)] if bare(term).is_some() => {
+                let axis = bare(term).map(|axis| self.graph.axis(axis))?;
+                let zero = self.graph.no_vector();
+                return Some(self.graph.minus(&zero, &axis));
+            }
+            _ => {}
+        }
+        let (vector, _) = self.lower_vector(written, Context::GEOMETRY, diagnostics)?;
+        let base = base?;
+        let components = vector.expressed(base, &mut self.graph, &self.geometry);
+        let graph = &mut self.graph;
+        let components = components.map(|e| if graph.vanishes(e) { graph.zero() } else { e });
+        if components.iter().any(|e| graph.stage(*e) > Stage::Parameter) {
+            let name = self.frame_name(base);
+            diagnostics.report(written.place(), messages::axis_not_fixed(name));
+            return None;
+        }
+        let square = graph.dot(&components, &components);
+        let one = graph.one();
+        if !graph.identical(square, one) {
+            let square = graph.display(square);
+            diagnostics.report(written.place(), messages::axis_not_unit(square));
+            return None;
+        }
+        Some(components)
+    }
+
+    /// The name of a frame, or of the nearest named one towards the inertial frame.
+    fn frame_name(&self, frame: usize) -> String {
+        let declared = &self.declarations.geometry.frames;
+        let named = |at: &usize| self.geometry.named_frames.iter().position(|named| *named == Some(*at));
+        let found = path(&self.geometry.frames, frame).iter().rev().find_map(named);
+        found.map_or("N".to_owned(), |i| declared[i].name.to_string())
+    }
+
+    /// An axis of a frame.
+    pub(in crate::model) fn frame_axis(
+        &mut self,
+        name: &str,
+        axis: usize,
+        span: Span,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<(Vector, Mentions)> {
+        let frame = self.frame_named(name, span, diagnostics)?;
+        let mentions = self.geometry.frames[frame].mentions;
+        Some((Vector::along(frame, self.graph.axis(axis)), mentions))
+    }
+
+    /// The rates of (x, t): `dot(x)` for each coordinate.
+    pub(super) fn motion(&mut self) -> Vec<(Symbol, Expr)> {
+        let rates = self.graph.vars(&self.rates);
+        let mut motion: Vec<(Symbol, Expr)> = self.coordinates.iter().copied().zip(rates).collect();
+        motion.push((self.time, self.graph.one()));
+        motion
+    }
+
+    /// The rates of (x, ẋ, t).
+    pub(super) fn second_motion(&mut self) -> Vec<(Symbol, Expr)> {
+        let second = self.graph.vars(&self.second_rates);
+        let mut motion = self.motion();
+        motion.extend(self.rates.iter().copied().zip(second));
+        motion
+    }
+}

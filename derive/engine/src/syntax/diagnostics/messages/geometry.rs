@@ -1,0 +1,94 @@
+//! Messages about frames, points and bodies.
+
+use std::fmt::Display;
+
+// The form of the statements.
+messages! {
+    element_form(statement, form) =
+        "expected `{statement}(name = {{ {form} }})`";
+    element_key(key, statement, did_you_mean, known) =
+        "`{statement}` has no `{key}`{did_you_mean}; it takes {known}";
+    element_key_twice(key) =
+        "`{key}` is given twice";
+    element_key_missing(key, name) =
+        "`{name}` has no `{key}`";
+    element_keys_exclude(name, first, second) =
+        "`{name}` takes either {first} or {second}, not parts of both";
+    expressed_form() =
+        "`expressed = B` stands behind the constraint whose components it tells: `name: left == right, expressed = B`";
+    body_inertia_form() =
+        "expected a matrix `diag(ixx, iyy, izz)` or `matrix([ixx, ixy, ixz], [_, iyy, iyz], [_, _, izz])`, or one of \
+         `rod(m, l, x)`, `disk(m, r, x)`, `cylinder(m, r, h, x)`, `sphere(m, r)`, `cuboid(m, a, b, c)`, `planar(i)`";
+    body_axis() =
+        "expected an axis of the body's frame: `x`, `y` or `z`";
+    acts_on_nothing(statement) =
+        "this `{statement}` acts on nothing: the model has no `body` and no `particle`";
+    inertia_and_bodies() =
+        "the inertia of a model with bodies is that of the bodies; leave out `inertia`";
+    kinetic_and_bodies() =
+        "the kinetic energy of a model with bodies is that of the bodies; leave out `kinetic_energy`";
+}
+
+// Vectors.
+messages! {
+    frame_form() =
+        "expected `rotate(base, axis, angle)`, such as `A = rotate(N, z, theta)`";
+    frame_expected(name, what) =
+        "`{name}` is {what}; expected a frame";
+    frame_unknown(name, did_you_mean) =
+        "there is no frame `{name}`{did_you_mean}";
+    frame_as_value(name) =
+        "`{name}` is a frame; its axes are `{name}.x`, `{name}.y` and `{name}.z`";
+    body_as_value(name) =
+        "`{name}` is a body; `velocity(P, {name})` and `angular_velocity({name})` take it";
+    element_as_value(name, what) =
+        "`{name}` is {what} and has no value";
+    frame_out_of_place(name, what, rule) =
+        "the axes of `{name}` turn with {what}, but {rule}";
+    point_out_of_place(name, what, rule) =
+        "the point `{name}` depends on {what}, but {rule}";
+    generalized_of(name, what) =
+        "`{name}` is {what}; a generalised force acts on a coordinate or a speed";
+    body_expected(name, what) =
+        "`{name}` is {what}; expected a body or a frame";
+    body_unknown(name, did_you_mean) =
+        "there is no body or frame `{name}`{did_you_mean}";
+    frame_without_body(name, bodies) =
+        "`{name}` is the frame of {bodies}; name the body whose material point is meant";
+    axis_not_fixed(base) =
+        "the axis of a rotation must be fixed in its base `{base}`: its components there may depend on parameters only";
+    axis_not_unit(square) =
+        "the axis is not a unit vector: its square is `{square}`; write `unit(..)` around it";
+    vector_plus_scalar() =
+        "a vector and a scalar cannot be added";
+    vector_times_vector() =
+        "two vectors cannot be multiplied so; write `dot(a, b)` or `cross(a, b)`";
+    division_by_vector() =
+        "nothing can be divided by a vector; divide by `norm(a)` or a component such as `dot(a, N.x)`";
+    scalar_expected() =
+        "expected a scalar, found a vector; write a component such as `dot(a, N.x)`, or `norm(a)`";
+    vector_expected(function) =
+        "`{function}` takes vectors, such as `A.x` or a point";
+    vector_argument(function) =
+        "`{function}` takes scalars; this is a vector";
+    a_vector_expected() =
+        "expected a vector such as `l*A.x`, found a scalar";
+    branch_of_vectors() =
+        "the branches of an `if` are scalars; write one `if` for each component";
+    vector_equation_of_scalar() =
+        "the left side is a scalar and the right side a vector";
+    scalar_equation_of_vector() =
+        "the left side is a vector and the right side a scalar; only 0 stands for a vector";
+    zero_vector() =
+        "the unit vector of a vector that vanishes";
+    expressed_of_scalar(name) =
+        "`{name}` is one equation of scalars, which has no components; leave out `expressed`";
+    vector_equation_empty(name) =
+        "the constraint `{name}` holds identically: none of its components binds anything";
+}
+
+/// What may occur where, as the second half of a sentence.
+pub(crate) const RULE_GEOMETRY: &str =
+    "frames, points and bodies may depend on parameters, coordinates of `coordinates` and `t` only";
+pub(crate) const RULE_LINE: &str = "what springs, dampers and armatures are made of may depend on parameters, coordinates of `coordinates` and `t` only";
+pub(crate) const RULE_BODY: &str = "the masses and inertias of bodies may depend on parameters only";
