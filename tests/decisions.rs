@@ -15,7 +15,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 use support::declared::{models, rust_files};
-use support::kept;
+use support::{kept, parallel};
 
 fn guard(guard: &Guard) -> String {
     let start = guard.start.map_or(String::new(), |value| format!(", {value:.3e} at the start"));
@@ -86,18 +86,19 @@ fn decisions_are_as_they_were_read() {
     let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
     let folder = tests.join("data/decisions");
     let folders = [tests.clone(), tests.join("models"), folder.clone()];
-    let files = folders.iter().flat_map(|folder| rust_files(folder));
-    let mut changed = Vec::new();
-    for file in files {
-        let source = fs::read_to_string(&file).expect("the file can be read");
+    let files: Vec<_> = folders.iter().flat_map(|folder| rust_files(folder)).collect();
+    let changed = parallel::each(files.len(), |number| {
+        let file = &files[number];
+        let source = fs::read_to_string(file).expect("the file can be read");
         let text: String = models(&source).iter().map(decisions).collect();
         if text.is_empty() {
-            continue;
+            return None;
         }
         // Some files of tests have the name of a file with models.
         let own = if file.parent() == Some(&tests) { "of_" } else { "" };
         let name = format!("{own}{}.txt", file.file_stem().expect("a name").to_string_lossy());
-        changed.extend(kept::changed(&folder.join(name), &text));
-    }
+        kept::changed(&folder.join(name), &text)
+    });
+    let changed: Vec<String> = changed.into_iter().flatten().collect();
     assert!(changed.is_empty(), "{}", changed.join("\n"));
 }

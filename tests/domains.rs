@@ -1,7 +1,6 @@
 //! Where the equations of a model have a value, their cheaper forms have one too: at special states above all, where sines,
 //! cosines, differences and products vanish.
 
-mod oracle;
 mod random;
 mod support;
 

@@ -2,7 +2,6 @@
 #![allow(clippy::duplicated_attributes, reason = "clippy takes the masses of `diag(m, m)` for attributes")]
 
 mod claims;
-mod oracle;
 mod support;
 
 use claims::compiled::{claim, other_claim};

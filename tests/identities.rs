@@ -4,7 +4,6 @@
 //! v̇ and every λ must be the same, λ₁ of the first stage included, which (3.6) with h* alone would give wrong.
 
 mod claims;
-mod oracle;
 mod random;
 mod support;
 

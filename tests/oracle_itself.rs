@@ -1,6 +1,5 @@
 //! The oracle by itself: against the golden data of the rolling disk, and its parts against each other. No engine.
 
-mod oracle;
 mod support;
 
 use nalgebra::DVector;

@@ -1,7 +1,6 @@
 //! Every model of the repository against the oracle, at random states and random parameters.
 
 mod claims;
-mod oracle;
 mod registry;
 mod support;
 
@@ -13,6 +12,7 @@ use registry::every_model;
 use std::collections::BTreeSet;
 use std::path::Path;
 use support::fields::Field;
+use support::parallel;
 use support::splitmix::SplitMix;
 
 /// States of each model, ...
@@ -123,10 +123,11 @@ fn agrees<M: ConstrainedSystem>(file: &str, build: impl Fn(&[f64]) -> M) {
 
 macro_rules! check_all {
     ($($file:literal $module:ident: $($model:ident($($field:ident),*))*;)*) => {{
-        $($(agrees($file, |p| {
+        let checks: &[fn()] = &[$($(|| agrees($file, |p| {
             let mut p = p.iter().copied();
             registry::$module::$model { $($field: Field::take(&mut p)),* }
-        });)*)*
+        })),*),*];
+        parallel::each(checks.len(), |number| checks[number]());
     }};
 }
 

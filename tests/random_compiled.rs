@@ -2,7 +2,6 @@
 //! themselves in one.
 
 mod claims;
-mod oracle;
 mod support;
 
 use claims::compiled::{claim, other_claim};
@@ -11,6 +10,7 @@ use claims::states::random_state;
 use holonomy::ConstrainedSystem;
 use oracle::{Declaration, System, check, read_models};
 use support::fields::Field;
+use support::parallel;
 use support::splitmix::SplitMix;
 
 /// The models themselves, one struct each.
@@ -25,7 +25,7 @@ const MODELS: usize = 200;
 const STATES: usize = 3;
 
 thread_local! {
-    /// What the file declares; every test reads it once.
+    /// What the file declares; every thread reads it once.
     static DECLARED: &'static [Declaration] = read_models(SOURCE).leak();
 }
 
@@ -58,12 +58,13 @@ fn agrees<M: ConstrainedSystem>(build: impl Fn(&[f64]) -> M) -> Result<f64, Stri
 }
 
 macro_rules! check_all {
-    ($($model:ident($($field:ident),*))*) => {
-        vec![$(agrees(|p| {
+    ($($model:ident($($field:ident),*))*) => {{
+        let checks: &[fn() -> Result<f64, String>] = &[$(|| agrees(|p| {
             let mut p = p.iter().copied();
             models::$model { $($field: Field::take(&mut p)),* }
-        })),*]
-    };
+        })),*];
+        parallel::each(checks.len(), |number| checks[number]())
+    }};
 }
 
 #[test]

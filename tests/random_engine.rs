@@ -1,7 +1,6 @@
 //! 3,000 random systems through the engine, evaluated and held against the oracle; 1,000 of them as emitted, with what they cost.
 
 mod claims;
-mod oracle;
 mod random;
 mod support;
 
@@ -10,8 +9,9 @@ use holonomy_engine::program::programs;
 use holonomy_engine::projection::Equations;
 use oracle::{CLASSES, Report, System, check, classes, closed, onto_nonlinear_rows, read_models};
 use random::{MODELS, RandomModel, counted, first};
-use std::cell::RefCell;
 use std::collections::BTreeSet;
+use std::sync::Mutex;
+use support::parallel;
 use support::splitmix::SplitMix;
 
 const STATES: usize = 2;
@@ -62,12 +62,15 @@ fn agrees(model: &RandomModel, equations: Result<Equations, String>, random: &mu
     Ok(shown)
 }
 
-/// The first models of the series in one form; the failures are told together. The table of classes.
-fn all_agree(count: usize, form: impl Fn(&str) -> Result<Equations, String>) -> Vec<&'static str> {
-    let mut random = SplitMix::new(500);
+/// The first models of the series in one form, each with draws of its own; the failures are told together. The table of classes.
+fn all_agree(count: usize, form: impl Fn(&str) -> Result<Equations, String> + Sync) -> Vec<&'static str> {
+    let models = first(count, 7);
+    let results = parallel::each(count, |number| {
+        agrees(&models[number], form(&models[number].source), &mut SplitMix::new(500 + number as u64))
+    });
     let (mut failures, mut found, mut total) = (Vec::new(), Vec::new(), Report::default());
-    for model in first(count, 7) {
-        match agrees(&model, form(&model.source), &mut random) {
+    for (model, result) in models.iter().zip(results) {
+        match result {
             Ok(mut shown) => {
                 shown.report.worst_in = format!("{} of {}", shown.report.worst_in, model.name);
                 total.add(shown.report);
@@ -92,18 +95,19 @@ fn random_systems_as_projected_agree_with_the_oracle() {
 
 #[test]
 fn random_systems_as_emitted_agree_with_the_oracle() {
-    let costs = RefCell::new(Vec::new());
+    let costs = Mutex::new(Vec::new());
     let weight = |equations: &Equations| {
         let programs = programs(equations).expect("every symbol is known");
         programs.function("derivative").expect("every model has one").count.weight()
     };
     let found = |source: &str| {
         let equations = simplified(source)?;
-        costs.borrow_mut().push((weight(&equations), weight(&plain(source)?)));
+        let cost = (weight(&equations), weight(&plain(source)?));
+        costs.lock().expect("nobody has panicked").push(cost);
         Ok(equations)
     };
     all_agree(EMITTED, found);
-    let costs = costs.into_inner();
+    let costs = costs.into_inner().expect("nobody has panicked");
     assert_eq!(costs.len(), EMITTED);
     let mut gains: Vec<f64> = costs.iter().map(|(found, plain)| 1.0 - *found as f64 / (*plain).max(1) as f64).collect();
     gains.sort_by(f64::total_cmp);

@@ -1,11 +1,11 @@
 //! The random models by themselves: the same text everywhere, in all classes, consistent for the oracle. No engine.
 
-mod oracle;
 mod random;
 mod support;
 
 use oracle::{CLASSES, Motion, System, classes, closed, onto_velocity_rows, read_models};
 use random::{KINDS, MODELS, RandomModel, counted, crate_text, first, generate};
+use support::parallel;
 use support::splitmix::SplitMix;
 
 fn models() -> Vec<RandomModel> {
@@ -42,17 +42,19 @@ fn state(system: &System<'_>, random: &mut SplitMix) -> Option<(f64, Vec<f64>, V
 /// Every model can be read, its manifold reached and its motion solved, and the conditions are moderate; every class is there.
 #[test]
 fn every_model_has_a_motion() {
-    let mut random = SplitMix::new(11);
-    let (mut worst, mut found) = (0.0_f64, Vec::new());
-    for model in models() {
+    let models = models();
+    let results = parallel::each(models.len(), |number| {
+        let model = &models[number];
+        let mut random = SplitMix::new(11 + number as u64);
         let declared = read_models(&model.source);
         let system = System::nominal(&declared[0]);
         let reached = (0..20).find_map(|_| state(&system, &mut random));
         let Some((t, x, v, motion)) = reached else { panic!("{} cannot be closed\n{}", model.name, model.source) };
         assert!(motion.acceleration.iter().all(|a| a.is_finite()), "{}\n{}", model.name, model.source);
-        worst = worst.max(motion.condition);
-        found.extend(classes(&system, t, &x, &v, motion.freedom));
-    }
+        (motion.condition, classes(&system, t, &x, &v, motion.freedom))
+    });
+    let worst = results.iter().fold(0.0_f64, |worst, (condition, _)| worst.max(*condition));
+    let found: Vec<&str> = results.into_iter().flat_map(|(_, classes)| classes).collect();
     println!("largest condition of (2.8): {worst:.1e}\n{}", counted(found.iter().copied()));
     assert!(worst < 1e6);
     for class in CLASSES {

@@ -11,7 +11,6 @@ mod bicycle;
 mod chains;
 #[path = "models/linkages.rs"]
 mod linkages;
-mod oracle;
 #[path = "models/particles.rs"]
 mod particles;
 mod precise;

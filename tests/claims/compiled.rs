@@ -1,8 +1,8 @@
 //! What emitted code claims at a state.
 
-use crate::oracle::{ChartClaim, Claim, Multiplier};
 use crate::support::running::{dense, entries};
 use holonomy::{ConstrainedSystem, Dual, Prepared, Scalar, Vector};
+use oracle::{ChartClaim, Claim, Multiplier};
 
 /// Everything that a prepared model says about the state (q, u).
 ///

@@ -1,11 +1,11 @@
 //! What the engine's equations claim at a state, by evaluating its expressions.
 
-use crate::oracle::{ChartClaim, Claim, Dual, Multiplier, Number, System, derivative};
 use holonomy_engine::projection::{AsIs, Equations, Guard, project};
 use holonomy_engine::simplify::Search;
 use holonomy_engine::symbolic::{Algebra, Expr, Function, Given, Graph, Matrix, Rational, Symbol};
 use holonomy_engine::{model, syntax};
 use nalgebra::DMatrix;
+use oracle::{ChartClaim, Claim, Dual, Multiplier, Number, System, derivative};
 use quote::ToTokens;
 use std::collections::BTreeMap;
 

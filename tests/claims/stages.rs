@@ -1,7 +1,7 @@
 //! The same motion as two derivations claim it.
 
-use crate::oracle::{Claim, conditioned_rank};
 use nalgebra::DMatrix;
+use oracle::{Claim, conditioned_rank};
 
 /// What two derivations of one motion may differ by, before rounding is amplified.
 const TOLERANCE: f64 = 1e-12;

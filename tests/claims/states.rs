@@ -1,9 +1,9 @@
 //! Random states of a derived model, on its constraints.
 
-use crate::oracle::{Declaration, System, closed, onto_nonlinear_rows};
 use crate::support::running::entries;
 use crate::support::splitmix::SplitMix;
 use holonomy::{ConstrainedSystem, Prepared, Vector};
+use oracle::{Declaration, System, closed, onto_nonlinear_rows};
 
 /// A point near the start that the model names, or near one of order one.
 fn guess(declared: &Declaration, random: &mut SplitMix, [low, high]: [f64; 2]) -> Vec<f64> {

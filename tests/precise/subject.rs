@@ -4,12 +4,12 @@ use super::form::{Form, Point};
 use super::loss::Loss;
 use super::number::Big;
 use super::states::{Draw, regular};
-use crate::oracle::{Declaration, read_models};
 use crate::support::declared;
 use crate::support::running::entries;
 use crate::support::splitmix::SplitMix;
 use holonomy::{ConstrainedSystem, Prepared, Vector};
 use holonomy_engine::simplify::Search;
+use oracle::{Declaration, read_models};
 
 /// States of each model, ...
 const STATES: usize = 1000;

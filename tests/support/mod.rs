@@ -6,6 +6,7 @@ pub mod extrapolation;
 pub mod fields;
 pub mod golden;
 pub mod kept;
+pub mod parallel;
 pub mod running;
 pub mod special;
 pub mod splitmix;

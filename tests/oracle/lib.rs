@@ -9,7 +9,6 @@
 //! ```
 //!
 //! What a derivation claims (a [`Claim`]) is then held against that solution, see [`check`].
-#![allow(dead_code, unused_imports, reason = "every test file uses its own part of the oracle")]
 
 mod charts;
 mod check;
