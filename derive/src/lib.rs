@@ -275,10 +275,10 @@ use proc_macro::TokenStream;
         spring,
         damper,
         armature,
+        release,
         holonomy,
         unit,
-        nominal,
-        release
+        nominal
     )
 )]
 pub fn constrained_system(input: TokenStream) -> TokenStream {

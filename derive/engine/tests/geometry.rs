@@ -261,6 +261,62 @@ fn vector_equations_have_rows() {
     assert_eq!(e.position_names, ["closure_x", "closure_y"]);
 }
 
+/// What holds joints that are no constraints, against twins in which it is one.
+#[test]
+fn releases_tell_what_joints_hold() {
+    let of = |tokens: TokenStream, values_of: &[&str]| {
+        let e = derived(tokens);
+        let at: Vec<Expr> = values_of
+            .iter()
+            .map(|name| match e.outputs.names.iter().position(|output| output == name) {
+                Some(i) => e.outputs.values[i],
+                None => e.multipliers[e.multiplier_names.iter().position(|m| m == name).expect("a name")],
+            })
+            .collect();
+        values(&e, &at)
+    };
+    // Two pendulums and a wheel on a rail: the pull along and across the first rod, the moment in the second one's hinge.
+    let tree = of(
+        quote! {
+            #[coordinates(a, b)]
+            #[frame(A = rotate(N, z, a), B = rotate(N, z, b))]
+            #[point(P = O + l*A.x)]
+            #[release(pull = { point: P, along: A.x }, across = { point: P, along: A.y })]
+            #[release(hinge = { frame: B, about: N.z })]
+            #[body(arm = { frame: A, center: O + l/2*A.x, mass: m, inertia: rod(m, l, x) })]
+            #[body(bob = { frame: B, center: P + r*B.y, mass: 2*m, inertia: planar(i) })]
+            #[spring(coil = { from: O + l*N.x, to: P + l*B.x, stiffness: k })]
+            #[gravity(-g*N.y)]
+            #[constraint(tie: dot(velocity(P + l*B.x), N.x) == sin(t))]
+            #[output(x = reaction(pull), y = reaction(across), moment = reaction(hinge))]
+            struct Tree { l: f64, m: f64, r: f64, i: f64, k: f64, g: f64 }
+        },
+        &["x", "y", "moment", "tie"],
+    );
+    let loosened = of(
+        quote! {
+            #[coordinates(a, b, x, y)]
+            #[frame(A = rotate(N, z, a), B = rotate(N, z, b))]
+            #[point(P = O + l*A.x + x*A.x + y*A.y)]
+            #[body(arm = { frame: A, center: O + l/2*A.x, mass: m, inertia: rod(m, l, x) })]
+            #[body(bob = { frame: B, center: P + r*B.y, mass: 2*m, inertia: planar(i) })]
+            #[spring(coil = { from: O + l*N.x, to: P + l*B.x, stiffness: k })]
+            #[gravity(-g*N.y)]
+            #[constraint(tie: dot(velocity(P + l*B.x), N.x) == sin(t))]
+            #[configuration(x = 0, y = 0)]
+            #[constraint(pull: x == 0, across: y == 0)]
+            struct Loosened { l: f64, m: f64, r: f64, i: f64, k: f64, g: f64 }
+        },
+        &["pull", "across", "tie"],
+    );
+    let same = |a: f64, b: f64| assert!((a - b).abs() < 1e-12 * (1.0 + b.abs()), "{a} {b}");
+    same(tree[0], loosened[0]);
+    same(tree[1], loosened[1]);
+    same(tree[3], loosened[2]);
+    // The hinge turns freely.
+    same(tree[2], 0.0);
+}
+
 /// Each mistake once, in words.
 #[test]
 fn mistakes_are_told() {

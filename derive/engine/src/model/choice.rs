@@ -49,7 +49,7 @@ fn combinations(
     let declarations = vocabulary.declarations;
     let mut found = Vec::new();
     for (at, (name, value)) in declarations.independent.iter().flat_map(|list| list.combinations()).enumerate() {
-        let lowered = vocabulary.lower(value, context, diagnostics);
+        let lowered = vocabulary.lower_held(value, context, diagnostics);
         found.push(lowered.and_then(|lowered| {
             let expr = vocabulary.graph.substitute(&[lowered.expr], &adapt)[0];
             let read = reading(&mut vocabulary.graph, expr, &rates.carriers);

@@ -205,7 +205,7 @@ fn one_direction(
     };
     let lowered: Vec<Option<Expr>> = side
         .iter()
-        .map(|expression| vocabulary.lower(expression, context, diagnostics).map(|lowered| lowered.expr))
+        .map(|expression| vocabulary.lower_held(expression, context, diagnostics).map(|lowered| lowered.expr))
         .collect();
     let rows: Vec<Expr> = lowered.into_iter().collect::<Option<_>>()?;
     let variables = match direction {

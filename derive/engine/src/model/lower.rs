@@ -5,7 +5,7 @@ use quote::ToTokens;
 
 use super::context::Context;
 use super::functions::Call;
-use super::geometry::{Geometry, VECTOR_FUNCTIONS, Vector, VectorCall, names_a_body};
+use super::geometry::{Geometry, Released, VECTOR_FUNCTIONS, Vector, VectorCall, names_a_body};
 use super::names::{Meaning, Mentions, Names};
 use crate::symbolic::{Expr, Function, Graph, Kind, Rational, Symbol};
 use crate::syntax::{Comparison, Declarations, Diagnostics, Expression, Operator, Term, messages};
@@ -59,6 +59,8 @@ pub(super) struct Vocabulary<'a> {
     pub defines: Vec<Option<Valued>>,
     /// Frames, points and bodies.
     pub geometry: Geometry,
+    /// What is released, in the order of the model's releases.
+    pub released: Vec<Released>,
     /// The generalised forces on rates that are no speeds: the coordinate and the force.
     pub forces_on_rates: Vec<(usize, Expr)>,
 }
@@ -103,6 +105,7 @@ impl<'a> Vocabulary<'a> {
         });
         let functions = functions.collect();
         let geometry = Geometry::new(&graph, declarations);
+        let released = declarations.geometry.releases().map(|release| Released::new(release, &mut graph)).collect();
         Vocabulary {
             declarations,
             graph,
@@ -128,6 +131,7 @@ impl<'a> Vocabulary<'a> {
             functions,
             defines: vec![None; declarations.defines.len()],
             geometry,
+            released,
             forces_on_rates: Vec::new(),
         }
     }
@@ -149,7 +153,25 @@ impl<'a> Vocabulary<'a> {
         }
     }
 
-    /// The same for a vector; 0 stands for one.
+    /// An expression with all releases held.
+    pub fn held(&mut self, e: Expr) -> Expr {
+        let graph = &mut self.graph;
+        let zeros: Vec<(Symbol, Expr)> = self.released.iter().flat_map(|released| released.zeros(graph)).collect();
+        if zeros.is_empty() { e } else { graph.substitute(&[e], &zeros)[0] }
+    }
+
+    /// A scalar with all releases held.
+    pub fn lower_held(
+        &mut self,
+        expression: &Expression,
+        context: Context,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Lowered> {
+        let lowered = self.lower(expression, context, diagnostics)?;
+        Some(Lowered { expr: self.held(lowered.expr), ..lowered })
+    }
+
+    /// A vector; 0 stands for one.
     pub fn lower_vector(
         &mut self,
         expression: &Expression,

@@ -4,7 +4,7 @@
 //! against its parent by one step, so that velocities are found outwards and forces are collected inwards, node by node in
 //! axes of their own. Nothing is ever written out in the axes of the inertial frame.
 
-use crate::symbolic::{Expr, Rotation, Triple};
+use crate::symbolic::{Expr, Rotation, Symbol, Triple};
 
 /// A tree of twists, with what is heavy and what acts.
 #[derive(Clone, Debug)]
@@ -21,6 +21,19 @@ pub struct Mechanism {
     pub lines: Vec<Line>,
     /// Further generalised forces, one for each v.
     pub generalized: Vec<Expr>,
+    /// What is let go along coordinates that stay zero, to tell the reactions of what holds it.
+    pub releases: Vec<Release>,
+}
+
+/// A coordinate that stays zero.
+#[derive(Clone, Debug)]
+pub struct Release {
+    /// The name of its reaction.
+    pub name: String,
+    /// ε.
+    pub coordinate: Symbol,
+    /// ε̇.
+    pub rate: Symbol,
 }
 
 /// A point and axes, which move against those of the parent.
@@ -131,5 +144,26 @@ impl Mechanism {
         moving.extend(self.lines.iter_mut().map(|line| &mut line.rate));
         moving.extend(&mut self.generalized);
         moving
+    }
+
+    /// Every expression that may mention coordinates.
+    pub fn placed(&mut self) -> Vec<&mut Expr> {
+        let mut placed: Vec<&mut Expr> = Vec::new();
+        for node in &mut self.nodes {
+            match &mut node.step {
+                Step::Turn { rotation, spin, .. } => placed.extend(rotation.iter_mut().flatten().chain(spin)),
+                Step::Move { offset, rate } => placed.extend(offset.iter_mut().chain(rate)),
+                Step::Carry { rotations } => placed.extend(rotations.iter_mut().flatten().flatten()),
+            }
+        }
+        for load in &mut self.loads {
+            placed.extend(load.force.iter_mut().chain(&mut load.torque));
+        }
+        for line in &mut self.lines {
+            placed.extend([&mut line.length, &mut line.rate]);
+        }
+        placed.extend(self.gravity.iter_mut().flatten());
+        placed.extend(&mut self.generalized);
+        placed
     }
 }

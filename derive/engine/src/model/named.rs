@@ -43,9 +43,11 @@ impl Vocabulary<'_> {
         let constraints = &self.declarations.constraints;
         // The rows of a vector equation have the names of its components.
         let component = AXES.iter().find_map(|axis| name.strip_suffix(axis)?.strip_suffix('_'));
-        let declared = |name: &str| constraints.iter().any(|constraint| constraint.name == name);
+        let released = || self.declarations.geometry.releases().map(|release| &release.name);
+        let declared = |name: &str| constraints.iter().map(|c| &c.name).chain(released()).any(|known| known == name);
         if !declared(name) && !component.is_some_and(declared) {
-            let names: Vec<String> = constraints.iter().map(|constraint| format!("`{}`", constraint.name)).collect();
+            let names = constraints.iter().map(|constraint| &constraint.name).chain(released());
+            let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
             let list = match names.as_slice() {
                 [] => "the model has none".to_owned(),
                 names => format!("the constraints are {}", names.join(", ")),

@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 
 use super::functions::FUNCTIONS;
 use super::geometry::VECTOR_FUNCTIONS;
-use crate::syntax::{Declarations, Diagnostics, ElementKind, did_you_mean, messages, nearest};
+use crate::syntax::{Declarations, Diagnostics, Element, ElementKind, did_you_mean, messages, nearest};
 
 /// Names with a meaning of their own.
 const RESERVED: [(&str, &str); 4] =
@@ -90,7 +90,9 @@ impl Names {
         let known = [("t", Meaning::Time), ("PI", Meaning::Pi), ("N", Meaning::Inertial), ("O", Meaning::Origin)];
         let table = known.into_iter().map(|(name, meaning)| (name.to_owned(), meaning)).collect();
         let outputs = declarations.outputs.iter().map(|output| output.name.ident.to_string()).collect();
-        let constraints = declarations.constraints.iter().map(|constraint| constraint.name.to_string()).collect();
+        let constraints = declarations.constraints.iter().map(|constraint| &constraint.name);
+        let constraints = constraints.chain(declarations.geometry.releases().map(|release| &release.name));
+        let constraints = constraints.map(ToString::to_string).collect();
         let mut names = Names { table, arrays: declarations.arrays.clone(), outputs, constraints };
         let mut enter = |ident: &Ident, meaning| names.enter(ident, meaning, diagnostics);
         for (i, field) in declarations.fields.iter().enumerate() {
@@ -130,7 +132,9 @@ impl Names {
         for (i, body) in geometry.bodies().enumerate() {
             enter(&body.name, Meaning::Body(i));
         }
-        for element in geometry.elements.iter().filter(|element| !element.kind.has_mass()) {
+        // A release is a reaction, as a constraint is.
+        let named = |element: &&Element| !element.kind.has_mass() && element.kind != ElementKind::Release;
+        for element in geometry.elements.iter().filter(named) {
             enter(&element.name, Meaning::Acting(element.kind));
         }
         for (i, function) in declarations.functions.iter().enumerate() {

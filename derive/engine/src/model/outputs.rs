@@ -48,6 +48,7 @@ pub(super) fn finish(rates: &[(Symbol, Expr)], vocabulary: &mut Vocabulary<'_>) 
     let (named, written): (Vec<(String, Span)>, Vec<Expr>) =
         sound.map(|(name, declared, expr)| ((name, declared.ident.span()), expr)).unzip();
     let exprs = vocabulary.graph.substitute(&written, &all);
+    let exprs: Vec<Expr> = exprs.into_iter().map(|e| vocabulary.held(e)).collect();
     if !vocabulary.outputs.is_empty() {
         // Their rates as a whole: those of the carriers are among them.
         for i in 0..vocabulary.further.len() {

@@ -1,6 +1,7 @@
 //! Constraints, sorted by what they bind.
 
 use super::context::Context;
+use super::geometry::Released;
 use super::geometry::equations::sides;
 use super::linear;
 use super::lower::Vocabulary;
@@ -62,6 +63,8 @@ pub(super) fn finish(
     let mut rows = Vec::new();
     for Written { constraint, name, expr, mentions } in written {
         let expr = vocabulary.graph.substitute(&[*expr], &all)[0];
+        let released = vocabulary.released.clone();
+        let (expr, gradient) = held(&mut vocabulary.graph, expr, &released);
         let kind = if mentions.intersects(Mentions::ACCELERATIONS) {
             acceleration(expr, (constraint, name), vocabulary, diagnostics)
         } else if mentions.intersects(Mentions::SPEEDS.and(Mentions::RATES)) {
@@ -71,10 +74,32 @@ pub(super) fn finish(
         };
         if let Some(kind) = kind {
             let (name, span) = (name.clone(), constraint.name.span());
-            rows.push(Row { name, span, kind, redundant: constraint.redundant });
+            // A row binds what is let go as it binds v.
+            let level = match &kind {
+                RowKind::Position(_) => 0,
+                RowKind::Velocity(_) | RowKind::Nonlinear(_) => 1,
+                RowKind::Acceleration { .. } => 2,
+            };
+            let released = gradient.iter().map(|slopes| slopes[level]).collect();
+            rows.push(Row { name, span, kind, redundant: constraint.redundant, released });
         }
     }
     rows
+}
+
+/// An expression with all releases held, and its slopes by ε, ε̇ and ε̈ of each.
+fn held(graph: &mut Graph, e: Expr, released: &[Released]) -> (Expr, Vec<[Expr; 3]>) {
+    let zeros: Vec<(Symbol, Expr)> = released.iter().flat_map(|released| released.zeros(graph)).collect();
+    let slopes: Vec<[Expr; 3]> = released
+        .iter()
+        .map(|released| {
+            let symbols = [released.coordinate, released.rate, released.second];
+            let slopes = graph.jacobian(&[e], &symbols).row(0).to_vec();
+            let held = graph.substitute(&slopes, &zeros);
+            [held[0], held[1], held[2]]
+        })
+        .collect();
+    (graph.substitute(&[e], &zeros)[0], slopes)
 }
 
 /// What replaces each `ddot(x)`: d/dt (A v + a0), with v̇ in it; nothing where these are the accelerations themselves.

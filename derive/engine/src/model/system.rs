@@ -96,6 +96,8 @@ pub struct Row {
     pub kind: RowKind,
     /// Whether it may depend on other rows.
     pub redundant: bool,
+    /// Its columns of C for what is released, in the order of the mechanism's releases.
+    pub released: Vec<Expr>,
 }
 
 /// What a constraint binds.

@@ -60,7 +60,7 @@ pub(super) fn build(
                 sound = false;
             }
         }
-        match (target, vocabulary.lower(right, context, diagnostics)) {
+        match (target, vocabulary.lower_held(right, context, diagnostics)) {
             (Some(symbol), Some(value)) => {
                 map.push((symbol, vocabulary.graph.substitute(&[value.expr], &adapt)[0]));
             }

@@ -63,7 +63,7 @@ pub fn differentiate(system: &mut InitialSystem) -> Vec<DifferentiatedRow> {
 }
 
 fn differentiate_row(graph: &mut Graph, row: Row, motion: &[(Symbol, Expr)], speeds: &[Symbol]) -> DifferentiatedRow {
-    let Row { name, span, kind, redundant } = row;
+    let Row { name, span, kind, redundant, .. } = row;
     let (linear, position, velocity) = match kind {
         // ḟ = f_x (A v + a0) + f_t; its gradient in v is f_x A, the first line of (2.5).
         RowKind::Position(f) => (true, Some(f), graph.along(&[f], motion)[0]),

@@ -28,6 +28,11 @@ impl Geometry {
     pub fn bodies(&self) -> impl Iterator<Item = &Element> {
         self.elements.iter().filter(|element| element.kind.has_mass())
     }
+
+    /// Releases.
+    pub fn releases(&self) -> impl Iterator<Item = &Element> {
+        self.elements.iter().filter(|element| element.kind == ElementKind::Release)
+    }
 }
 
 /// What an element is.
@@ -47,6 +52,8 @@ pub enum ElementKind {
     Damper,
     /// `armature`
     Armature,
+    /// `release`
+    Release,
 }
 
 /// A kind with its statement, its keys, and those of them that it needs.
@@ -58,7 +65,7 @@ struct Form {
     written: &'static str,
 }
 
-const FORMS: [Form; 7] = [
+const FORMS: [Form; 8] = [
     Form {
         kind: ElementKind::Particle,
         statement: "particle",
@@ -107,6 +114,13 @@ const FORMS: [Form; 7] = [
         keys: &["of", "inertia"],
         needed: &["of", "inertia"],
         written: "of: theta, inertia: j",
+    },
+    Form {
+        kind: ElementKind::Release,
+        statement: "release",
+        keys: &["point", "along", "frame", "about"],
+        needed: &[],
+        written: "point: P, along: L.y",
     },
 ];
 
@@ -210,10 +224,25 @@ pub(super) fn element(kind: ElementKind, entry: &Entry, diagnostics: &mut Diagno
     Some(element)
 }
 
-/// A spring or damper stands between two points, or along an expression.
+/// A spring or damper stands between two points, or along an expression; a point is released along a vector, a frame about one.
 fn lengths(element: &Element, diagnostics: &mut Diagnostics) {
+    let given = |key| element.get(key).is_some();
+    if element.kind == ElementKind::Release {
+        let pairs = [("point", "along"), ("frame", "about")];
+        let begun: Vec<_> = pairs.iter().filter(|(first, second)| given(first) || given(second)).collect();
+        match begun.as_slice() {
+            [(first, second)] => {
+                for key in [first, second].into_iter().filter(|key| !given(key)) {
+                    diagnostics.report_local(&element.name, messages::element_key_missing(key, &element.name));
+                }
+            }
+            _ => {
+                let message = messages::element_keys_exclude(&element.name, "`point` and `along`", "`frame` and `about`");
+                diagnostics.report_local(&element.name, message);
+            }
+        }
+    }
     if matches!(element.kind, ElementKind::Spring | ElementKind::Damper) {
-        let given = |key| element.get(key).is_some();
         match (given("of"), given("from"), given("to")) {
             (true, false, false) | (false, true, true) => {}
             (true, ..) => {

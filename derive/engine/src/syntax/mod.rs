@@ -30,7 +30,7 @@ pub(crate) use diagnostics::{did_you_mean, messages};
 pub(crate) use expression::AXES;
 pub use expression::{Comparison, Expression, Operator, Term};
 pub use geometry::{BodyInertia, Element, ElementKind, Geometry};
-pub use statements::{FIELD_STATEMENTS, PLANNED_STATEMENTS, STATEMENTS, helper_attributes};
+pub use statements::{FIELD_STATEMENTS, STATEMENTS, helper_attributes};
 
 /// Reads a derive input without an error.
 ///

@@ -9,7 +9,7 @@ use super::entries::{self, Entry};
 use super::families::Families;
 use super::forms::*;
 use super::geometry::{ElementKind, Geometry, element};
-use super::statements::{FIELD_STATEMENTS, PLANNED_STATEMENTS, STATEMENTS, misspelt};
+use super::statements::{FIELD_STATEMENTS, STATEMENTS, misspelt};
 use super::{fields, options};
 
 /// A statement: its name, what stands in its parentheses, and their closing one.
@@ -122,10 +122,6 @@ fn write_out(statements: &mut Vec<Statement>, families: &mut Families, diagnosti
 pub(crate) fn statement(attribute: &Attribute, allowed: &[&str], diagnostics: &mut Diagnostics) -> Option<Statement> {
     let name = attribute.path().get_ident()?;
     let text = name.to_string();
-    if PLANNED_STATEMENTS.contains(&text.as_str()) {
-        diagnostics.report(name, messages::statement_planned(name));
-        return None;
-    }
     if !allowed.contains(&text.as_str()) {
         if STATEMENTS.contains(&text.as_str()) {
             diagnostics.report(name, messages::statement_on_field(name));

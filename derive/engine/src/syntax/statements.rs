@@ -33,20 +33,17 @@ pub const STATEMENTS: &[&str] = &[
     "spring",
     "damper",
     "armature",
+    "release",
     "holonomy",
 ];
 
 /// The statements that stand on a field.
 pub const FIELD_STATEMENTS: &[&str] = &["unit", "nominal"];
 
-/// Statements with a place in the language that this version does not derive yet. They are
-/// registered with the derive all the same, so that the error is ours and tells what is missing.
-pub const PLANNED_STATEMENTS: &[&str] = &["release"];
-
-/// Every attribute name that `#[proc_macro_derive(.., attributes(..))]` registers: the three lists
+/// Every attribute name that `#[proc_macro_derive(.., attributes(..))]` registers: the two lists
 /// above, in this order.
 pub fn helper_attributes() -> impl Iterator<Item = &'static str> {
-    [STATEMENTS, FIELD_STATEMENTS, PLANNED_STATEMENTS].into_iter().flatten().copied()
+    [STATEMENTS, FIELD_STATEMENTS].into_iter().flatten().copied()
 }
 
 /// rustc's own attributes that may stand on a struct or a field, and the common ones of other

@@ -5,7 +5,7 @@ use super::{Rigid, Vector};
 use crate::model::context::Context;
 use crate::model::dynamics;
 use crate::model::lower::Vocabulary;
-use crate::model::mechanism::{Line, LineKind, Load, Mass, Mechanism};
+use crate::model::mechanism::{Line, LineKind, Load, Mass, Mechanism, Release};
 use crate::model::names::{Meaning, Mentions};
 use crate::symbolic::{Expr, Graph, Rational, Rotation, Triple};
 use crate::syntax::{
@@ -28,6 +28,7 @@ pub(in crate::model) fn mechanism(vocabulary: &mut Vocabulary<'_>, diagnostics: 
             }
             ElementKind::Force => force(element, &mut tree, vocabulary, diagnostics).map(|found| loads.extend(found)),
             ElementKind::Torque => torque(element, &mut tree, vocabulary, diagnostics).map(|found| loads.extend(found)),
+            ElementKind::Release => Some(()),
             ElementKind::Spring | ElementKind::Damper | ElementKind::Armature => {
                 line(element, vocabulary, diagnostics).map(|line| lines.push(line))
             }
@@ -44,7 +45,13 @@ pub(in crate::model) fn mechanism(vocabulary: &mut Vocabulary<'_>, diagnostics: 
         None => None,
     };
     let generalized = generalized?;
-    (sound && bodies > 0).then_some(Mechanism { nodes: tree.nodes, masses, loads, gravity, lines, generalized })
+    let releases = geometry.releases().zip(&vocabulary.released).map(|(release, released)| Release {
+        name: release.name.to_string(),
+        coordinate: released.coordinate,
+        rate: released.rate,
+    });
+    let releases = releases.collect();
+    (sound && bodies > 0).then_some(Mechanism { nodes: tree.nodes, masses, loads, gravity, lines, generalized, releases })
 }
 
 fn mass(

@@ -25,8 +25,8 @@ pub(in crate::model) struct Frame {
 }
 
 impl Vocabulary<'_> {
-    /// `rotate(base, axis, angle)`, the base perhaps such a rotation itself; the last is the frame.
-    pub(super) fn frame(&mut self, written: &Expression, diagnostics: &mut Diagnostics) -> Option<usize> {
+    /// `rotate(base, axis, angle)`, the base perhaps such a rotation itself; the last is the frame of that name.
+    pub(super) fn frame(&mut self, called: &str, written: &Expression, diagnostics: &mut Diagnostics) -> Option<usize> {
         // From the outermost call inwards.
         let mut turns: Vec<(Expression, Expression)> = Vec::new();
         let mut at = written.clone();
@@ -42,7 +42,8 @@ impl Vocabulary<'_> {
                     at = at.part(*base);
                 }
                 Some((Term::Name(name), span)) if !turns.is_empty() => {
-                    let mut frame = self.frame_named(name, *span, diagnostics);
+                    let base = self.frame_named(name, *span, diagnostics);
+                    let mut frame = base.and_then(|base| self.turned_loose(called, base, diagnostics));
                     for (axis, angle) in turns.iter().rev() {
                         frame = self.turned(frame, axis, angle, diagnostics);
                     }
@@ -88,16 +89,27 @@ impl Vocabulary<'_> {
         let Lowered { expr: angle, mentions } = self.lower(angle, Context::GEOMETRY, diagnostics)?;
         let (base, axis) = (base?, components?);
         let motion = self.motion();
+        let rate = self.graph.along(&[angle], &motion)[0];
+        Some(self.turned_by(base, axis, (angle, rate), mentions))
+    }
+
+    /// A new frame that turns by an angle with its rate.
+    pub(super) fn turned_by(
+        &mut self,
+        base: usize,
+        axis: Triple,
+        (angle, rate): (Expr, Expr),
+        mentions: Mentions,
+    ) -> usize {
         let graph = &mut self.graph;
         let rotation = graph.rotation(&axis, angle);
-        let rate = graph.along(&[angle], &motion)[0];
         let spin = graph.times(rate, &axis);
         let parent = &self.geometry.frames[base];
         let carried = graph.turned_back(&rotation, &parent.omega);
         let omega = graph.plus(&carried, &spin);
         let mentions = mentions.and(parent.mentions);
         self.geometry.frames.push(Frame { base, rotation, spin, omega, mentions });
-        Some(self.geometry.frames.len() - 1)
+        self.geometry.frames.len() - 1
     }
 
     /// `x`, `-z`, or a unit vector that is fixed in the base.
@@ -160,6 +172,7 @@ impl Vocabulary<'_> {
     pub(super) fn motion(&mut self) -> Vec<(Symbol, Expr)> {
         let rates = self.graph.vars(&self.rates);
         let mut motion: Vec<(Symbol, Expr)> = self.coordinates.iter().copied().zip(rates).collect();
+        motion.extend(self.released.iter().map(|released| (released.coordinate, self.graph.var(released.rate))));
         motion.push((self.time, self.graph.one()));
         motion
     }
@@ -169,6 +182,7 @@ impl Vocabulary<'_> {
         let second = self.graph.vars(&self.second_rates);
         let mut motion = self.motion();
         motion.extend(self.rates.iter().copied().zip(second));
+        motion.extend(self.released.iter().map(|released| (released.rate, self.graph.var(released.second))));
         motion
     }
 }

@@ -5,6 +5,7 @@
 //! | `vector` | vectors over several frames, products, rates |
 //! | `frames` | frames that turn against others |
 //! | `places` | points, each a step away from another |
+//! | `releases` | what is let go, to tell its reaction |
 //! | `calls` | the functions of vectors |
 //! | `tree` | nodes that are a point and axes |
 //! | `bodies` | bodies, loads and springs at these nodes |
@@ -17,6 +18,7 @@ pub(super) mod equations;
 mod frames;
 pub(super) mod order;
 mod places;
+mod releases;
 mod tree;
 mod vector;
 
@@ -24,6 +26,7 @@ pub(super) use bodies::mechanism;
 pub(super) use calls::{VECTOR_FUNCTIONS, VectorCall, names_a_body};
 pub(super) use frames::Frame;
 pub(super) use places::Place;
+pub(super) use releases::Released;
 pub(super) use vector::Vector;
 
 use super::names::Mentions;

@@ -6,7 +6,7 @@ use crate::model::context::Context;
 use crate::model::lower::Vocabulary;
 use crate::model::names::{Meaning, Mentions};
 use crate::symbolic::Graph;
-use crate::syntax::{Declarations, Diagnostics, Expression, Term, messages};
+use crate::syntax::{Declarations, Diagnostics, Element, Expression, Term, messages};
 use proc_macro2::Ident;
 
 /// What is lowered once all that it needs is.
@@ -48,6 +48,7 @@ impl Geometry {
 
 /// Lowers every one of them; those in a cycle are reported and stay without a value.
 pub(in crate::model) fn lower(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnostics) {
+    vocabulary.check_releases(diagnostics);
     let items = items(vocabulary);
     let needs: Vec<Vec<usize>> = items.iter().map(|(_, _, written)| needs(written, &items, vocabulary)).collect();
     let mut done = vec![false; items.len()];
@@ -81,8 +82,21 @@ fn items<'a>(vocabulary: &Vocabulary<'a>) -> Vec<Written<'a>> {
     let geometry = &declarations.geometry;
     let mut items: Vec<Written<'a>> = Vec::new();
     items.extend(declarations.defines.iter().enumerate().map(|(i, d)| (Item::Define(i), &d.name, vec![&d.value])));
-    items.extend(geometry.frames.iter().enumerate().map(|(i, d)| (Item::Frame(i), &d.name, vec![&d.value])));
-    items.extend(geometry.points.iter().enumerate().map(|(i, d)| (Item::Point(i), &d.name, vec![&d.value])));
+    // What is let go needs the vector along or about which it is.
+    let with = |value: &'a Expression, name: &Ident, key: &str, direction: &str| -> Vec<&'a Expression> {
+        let of = |release: &&'a Element| match release.get(key).map(|written| written.terms()) {
+            Some([(Term::Name(other), _)]) => name == other,
+            _ => false,
+        };
+        let directions = geometry.releases().filter(of).filter_map(|release| release.get(direction));
+        std::iter::once(value).chain(directions).collect()
+    };
+    for (i, d) in geometry.frames.iter().enumerate() {
+        items.push((Item::Frame(i), &d.name, with(&d.value, &d.name, "frame", "about")));
+    }
+    for (i, d) in geometry.points.iter().enumerate() {
+        items.push((Item::Point(i), &d.name, with(&d.value, &d.name, "point", "along")));
+    }
     for (i, body) in geometry.bodies().enumerate() {
         let written = ["frame", "center", "at"].into_iter().filter_map(|key| body.get(key)).collect();
         items.push((Item::Body(i), &body.name, written));
@@ -131,13 +145,17 @@ fn item(item: Item, vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnosti
             vocabulary.defines[i] = vocabulary.value(&declarations.defines[i].value, Context::DEFINE, diagnostics);
         }
         Item::Frame(i) => {
-            vocabulary.geometry.named_frames[i] = vocabulary.frame(&declarations.geometry.frames[i].value, diagnostics);
+            let frame = &declarations.geometry.frames[i];
+            vocabulary.geometry.named_frames[i] =
+                vocabulary.frame(&frame.name.to_string(), &frame.value, diagnostics);
         }
         Item::Point(i) => {
-            let vector =
-                vocabulary.lower_vector(&declarations.geometry.points[i].value, Context::GEOMETRY, diagnostics);
-            vocabulary.geometry.named_points[i] =
-                vector.map(|(vector, mentions)| (vocabulary.place(&vector), mentions));
+            let point = &declarations.geometry.points[i];
+            let vector = vocabulary.lower_vector(&point.value, Context::GEOMETRY, diagnostics);
+            vocabulary.geometry.named_points[i] = vector.and_then(|(vector, mentions)| {
+                let vector = vocabulary.let_go(&point.name.to_string(), vector, diagnostics)?;
+                Some((vocabulary.place(&vector), mentions))
+            });
         }
         Item::Body(i) => {
             let Some(body) = declarations.geometry.bodies().nth(i) else { return };

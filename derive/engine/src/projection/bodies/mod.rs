@@ -19,11 +19,13 @@
 //! | `direct` | body by body, where v are speeds of the model's own |
 //! | `energy` | T, and V of gravity |
 //! | `lines` | springs, dampers, armatures |
+//! | `releases` | reactions of joints that are no constraints |
 
 mod direct;
 mod energy;
 mod lines;
 mod recursive;
+mod releases;
 mod rotors;
 mod spatial;
 mod sweep;
@@ -31,35 +33,40 @@ mod sweep;
 use super::Simplifier;
 use super::constraints::motion;
 use crate::model::InitialSystem;
-use crate::symbolic::{Expr, Matrix};
+use crate::symbolic::{Expr, Matrix, Symbol};
 
 /// M, h*, T and V of a system of bodies; what the model lists as forces is added to h*.
 pub fn complete(system: &mut InitialSystem, simplifier: &mut dyn Simplifier) {
     let Some(mut mechanism) = system.mechanism.take() else { return };
     let motion = motion(system);
-    let speeds = system.speeds.clone();
-    let n = speeds.len();
+    let n = system.speeds.len();
+    let speeds = releases::extended(system, &mut mechanism);
     let own = system.rates_are_speeds();
     let graph = &mut system.graph;
     rotors::stop(graph, &mut mechanism);
-    let sums = match own {
+    let mut sums = match own {
         true => recursive::equations(graph, &mechanism, &speeds, &motion),
         false => direct::equations(graph, simplifier, &mechanism, &speeds, &motion),
     };
-    let mut sums = sums;
     let mut potential = energy::potential(graph, &mechanism);
     lines::add(graph, &mechanism.lines, &speeds, &motion, &mut sums, &mut potential);
     if let Some(given) = system.potential {
         potential.terms.push(given);
         let slopes = graph.jacobian(&[given], &system.coordinates);
-        let driven = system.kinematics.a.transpose().mul_vec(graph, slopes.row(0));
+        let mut driven = system.kinematics.a.transpose().mul_vec(graph, slopes.row(0));
+        let released: Vec<Symbol> = mechanism.releases.iter().map(|release| release.coordinate).collect();
+        driven.extend(graph.jacobian(&[given], &released).row(0));
         for (force, slope) in sums.forces.iter_mut().zip(driven) {
             *force = graph.sub(*force, slope);
         }
     }
+    let mut potential = potential.total(graph);
+    releases::hold(graph, &mechanism.releases, &mut sums, &mut potential);
     for ((force, listed), further) in sums.forces.iter_mut().zip(&system.forces).zip(&mechanism.generalized) {
         *force = graph.sum(&[*force, *listed, *further]);
     }
+    releases::tell(system, &mechanism.releases, &sums);
+    let graph = &mut system.graph;
     let mut inertia = Matrix::zeros(graph, n, n);
     for (i, j) in (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))) {
         let entry = sums.inertia.get(i, j);
@@ -68,9 +75,9 @@ pub fn complete(system: &mut InitialSystem, simplifier: &mut dyn Simplifier) {
         inertia.set(j, i, entry);
     }
     system.inertia = inertia;
-    system.forces = sums.forces.into_iter().map(|force| simplifier.one(graph, force)).collect();
+    system.forces = sums.forces[..n].iter().map(|force| simplifier.one(graph, *force)).collect();
     system.kinetic = Some(sums.kinetic);
-    system.potential = potential.total(graph);
+    system.potential = potential;
 }
 
 /// What bodies and lines add up to.

@@ -33,8 +33,6 @@ messages! {
 messages! {
     statement_unknown(name, meant) =
         "there is no statement `{name}`; did you mean `{meant}`?";
-    statement_planned(name) =
-        "the statement `{name}` is not supported yet; state the equations with `inertia`, `forces` and `constraint`";
     statement_on_field(name) =
         "the statement `{name}` belongs on the struct, not on a field";
     statement_on_struct(name) =

@@ -17,12 +17,6 @@ fn forms_of_statements() {
     let table: &[(&str, &[&str])] = &[
         (r#"coordinate(x)"#, &["1:3 `coordinate`: there is no statement `coordinate`; did you mean `coordinates`?"]),
         (r#"cordinates(x)"#, &["1:3 `cordinates`: there is no statement `cordinates`; did you mean `coordinates`?"]),
-        (
-            r#"release(pull = { point: P, along: N.x })"#,
-            &[
-                "1:3 `release`: the statement `release` is not supported yet; state the equations with `inertia`, `forces` and `constraint`",
-            ],
-        ),
         (r#"unit(kg)"#, &["1:3 `unit`: the statement `unit` belongs on a field, not on the struct"]),
         (r#"coordinates"#, &["1:3 `coordinates`: expected a list in parentheses: `#[coordinates(..)]`"]),
         (r#"coordinates = "x""#, &["1:3 `coordinates`: expected a list in parentheses: `#[coordinates(..)]`"]),

@@ -47,6 +47,8 @@ messages! {
         "the axes of `{name}` turn with {what}, but {rule}";
     point_out_of_place(name, what, rule) =
         "the point `{name}` depends on {what}, but {rule}";
+    release_of_unknown(what) =
+        "expected the name of a {what} that the model declares";
     generalized_of(name, what) =
         "`{name}` is {what}; a generalised force acts on a coordinate or a speed";
     body_expected(name, what) =
