@@ -41,8 +41,8 @@ mod tests;
 mod velocities;
 
 pub use system::{
-    ComplementRow, Configuration, Independent, IndependentSpeed, InitialSystem, Kinematics, Output, Outputs, Places,
-    Reaction, Row, RowKind, Velocities,
+    Chosen, ComplementRow, Configuration, Independent, IndependentSpeed, InitialSystem, Kinematics, Output, Outputs,
+    Places, Reaction, Row, RowKind, Velocities,
 };
 
 use crate::symbolic::{Expr, Symbol};
@@ -152,6 +152,7 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
         configuration,
         velocities,
         independent,
+        chosen: None,
         complement,
         outputs,
         places: Places {
