@@ -116,13 +116,8 @@ fn random_systems_as_emitted_agree_with_the_oracle() {
         "{}",
         (0..=10).map(|i| format!(" {:.0} %", 100.0 * gains[i * (gains.len() - 1) / 10])).collect::<String>()
     );
-    // A model may be dearer by a little: where its plain equations divide by what nothing else vanishes with, they cannot stand in.
     let total = |of: fn(&(usize, usize)) -> usize| costs.iter().map(of).sum::<usize>();
     let dearer = costs.iter().filter(|(found, plain)| found > plain).count();
     println!("{dearer} are dearer; all together {} instead of {}", total(|c| c.0), total(|c| c.1));
-    assert!(
-        total(|c| c.0) < total(|c| c.1) && dearer <= EMITTED / 50 && gains[0] > -0.1,
-        "{dearer} are dearer, one by {:.0} %",
-        -100.0 * gains[0]
-    );
+    assert!(total(|c| c.0) < total(|c| c.1) && dearer == 0, "{dearer} are dearer, one by {:.0} %", -100.0 * gains[0]);
 }

@@ -1,5 +1,6 @@
 //! The steps in order, from tokens to tokens.
 
+use crate::choices::choose;
 use crate::forms::Forms;
 use crate::plain::Plain;
 use crate::projection::{AsIs, Equations, Simplifier, TANGENT_PIVOT, guards, messages, outputs, project};
@@ -124,7 +125,7 @@ fn equations(
     if !declarations.complete {
         return Err(diagnostics);
     }
-    let system = match model::build(declarations) {
+    let mut system = match model::build(declarations) {
         Ok(system) => diagnostics.result(system)?,
         Err(more) => {
             diagnostics.extend(more);
@@ -132,6 +133,7 @@ fn equations(
         }
     };
     after(Step::Model, system.graph.len());
+    choose(&mut system);
     let search = if declarations.options.simplify { search } else { Search::Off };
     let mut equations = match search {
         Search::Off => {

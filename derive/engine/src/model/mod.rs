@@ -44,8 +44,8 @@ mod velocities;
 
 pub use mechanism::Mechanism;
 pub use system::{
-    ComplementRow, Configuration, Independent, IndependentSpeed, InitialSystem, Kinematics, Output, Outputs, Places,
-    Reaction, Row, RowKind, Velocities,
+    Chosen, ComplementRow, Configuration, Independent, IndependentSpeed, InitialSystem, Kinematics, Output, Outputs,
+    Places, Reaction, Row, RowKind, Velocities,
 };
 
 use crate::symbolic::{Expr, Matrix, Symbol};
@@ -181,6 +181,7 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
         configuration,
         velocities,
         independent,
+        chosen: None,
         complement,
         outputs,
         places: Places {

@@ -44,6 +44,8 @@ pub struct InitialSystem {
     /// The choices of independent speeds that the model names: the first gives the state's speeds, the others are
     /// further charts.
     pub independent: Vec<Independent>,
+    /// The independent speeds that were chosen for the model where it leaves the choice open, and all who ask must agree.
+    pub chosen: Option<Chosen>,
     /// v = g(u, x, t) (5.8), where the model gives it.
     pub velocities: Option<Velocities>,
     /// D of (3.1) by rows, where the model gives it.
@@ -142,6 +144,15 @@ pub struct Independent {
     pub speeds: Vec<IndependentSpeed>,
     /// The statement's place.
     pub span: Span,
+}
+
+/// A choice of independent speeds among the carriers that the model did not make.
+#[derive(Clone, Debug)]
+pub struct Chosen {
+    /// The speeds, in the order of the carriers.
+    pub speeds: Vec<Symbol>,
+    /// Why these, where it was not the pivots alone that decided.
+    pub reason: Option<String>,
 }
 
 /// v = g(u, x, t) (5.8), or the carriers of a configuration so.

@@ -8,7 +8,7 @@
 //! lost like its third power. Only what has too many minors (a full block of more than six rows) goes one row at a time.
 
 use super::Simplifier;
-use super::pivots::{NEW_GUARD, SAFE, cheapest};
+use super::pivots::{NEW_GUARD, SAFE, cheapest, rank};
 use crate::symbolic::blocks::{COFACTORS, cofactors, triangular};
 use crate::symbolic::minors::by_minors;
 use crate::symbolic::{Expr, Graph, Matrix};
@@ -30,6 +30,8 @@ pub struct Elimination {
     /// The value of each row's pivot when it was chosen; where a block was inverted as a whole its determinant, and one for
     /// its other rows.
     pub values: Vec<Expr>,
+    /// How dear each of these was when it was chosen ([`pivots`](super::pivots)).
+    pub ranks: Vec<u8>,
     /// The row of the block's determinant for each row; the row itself where it was eliminated alone.
     pub leaders: Vec<usize>,
     /// C_d⁻¹ C.
@@ -90,6 +92,7 @@ pub fn eliminate(
         inverse,
         pivots: vec![None; m],
         values: vec![graph.one(); m],
+        ranks: vec![0; m],
         leaders: (0..m).collect(),
         columns: choice.columns.clone(),
     };
@@ -108,9 +111,9 @@ pub fn eliminate(
         }
         work.pivot(graph, simplifier, row, column, dear);
     }
-    let Work { reduced, inverse, pivots, values, leaders, .. } = work;
+    let Work { reduced, inverse, pivots, values, ranks, leaders, .. } = work;
     debug_assert!(pivots.iter().flatten().all(|j| *j < n));
-    Ok(Elimination { pivots: pivots.into_iter().flatten().collect(), values, leaders, reduced, inverse })
+    Ok(Elimination { pivots: pivots.into_iter().flatten().collect(), values, ranks, leaders, reduced, inverse })
 }
 
 /// An elimination on its way.
@@ -120,6 +123,7 @@ struct Work {
     inverse: Matrix,
     pivots: Vec<Option<usize>>,
     values: Vec<Expr>,
+    ranks: Vec<u8>,
     leaders: Vec<usize>,
     /// Columns in which pivots may stand.
     columns: Vec<bool>,
@@ -146,6 +150,7 @@ impl Work {
         }
         self.pivots[row] = Some(column);
         self.values[row] = pivot;
+        self.ranks[row] = dear;
         scale_row(graph, &mut self.reduced, row, pivot);
         scale_row(graph, &mut self.inverse, row, pivot);
         let one = graph.one();
@@ -218,6 +223,7 @@ impl Work {
             return false;
         }
         let determinant = simplifier.one(graph, determinant);
+        let dear = rank(graph, determinant).unwrap_or(NEW_GUARD);
         graph.assume_nonzero(determinant);
         for half in [&mut self.reduced, &mut self.inverse] {
             let solved = adjugate.mul(graph, &half.select_rows(rows));
@@ -236,7 +242,7 @@ impl Work {
         }
         for (i, (row, column)) in rows.iter().zip(columns).enumerate() {
             self.pivots[*row] = Some(*column);
-            self.values[*row] = if i == 0 { determinant } else { graph.one() };
+            (self.values[*row], self.ranks[*row]) = if i == 0 { (determinant, dear) } else { (graph.one(), 0) };
             self.leaders[*row] = rows[0];
             for other in rows {
                 let unit = if other == row { graph.one() } else { graph.zero() };

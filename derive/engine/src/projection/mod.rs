@@ -9,8 +9,10 @@
 //! | [`elimination`] | C_d⁻¹ by Gauss-Jordan on the arena, pivots recorded |
 //! | [`pivots`] | which entry to divide by next |
 //! | [`carriers`] | partial velocities of a configuration (4.9), and the rows that still bind |
+//! | [`binding`] | all that is known before speeds are chosen |
 //! | [`tangent`] | the basis D and the bias a_u, by pivots |
 //! | [`combined`] | the same for speeds that are combinations of the carriers |
+//! | [`alternatives`] | speeds that may be chosen as well as others |
 //! | [`chart`] | a choice of independent speeds, and the motion in terms of them |
 //! | [`back`] | carriers and independent speeds from v |
 //! | [`complement`] | the basis D as the user gives it |
@@ -29,7 +31,9 @@
 //! | `messages` | every sentence that this step can say to a user |
 
 pub mod acceleration;
+pub mod alternatives;
 pub mod back;
+pub mod binding;
 mod bodies;
 pub mod carriers;
 pub mod chart;
@@ -56,6 +60,7 @@ pub mod tangent;
 #[cfg(test)]
 mod tests;
 
+pub use alternatives::{Alternative, Alternatives, Quality};
 pub use equations::{ChartEquations, Equations, Guard, GuardKind, Level, RowFacts};
 pub use motion::{COMPLIANCE_PIVOT, INERTIA_PIVOT};
 pub use outputs::{OutputFacts, Outputs};

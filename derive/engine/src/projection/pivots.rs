@@ -11,7 +11,7 @@ pub const SAFE: u8 = 3;
 pub const NEW_GUARD: u8 = 5;
 
 /// How dear an entry is as a pivot; `None` where it is zero.
-fn rank(graph: &Graph, e: Expr) -> Option<u8> {
+pub fn rank(graph: &Graph, e: Expr) -> Option<u8> {
     if graph.is_zero(e) {
         return None;
     }

@@ -2,17 +2,16 @@
 
 use super::acceleration;
 use super::back::{carriers_of_velocities, speeds_of_carriers};
-use super::carriers::{Carriers, carried, carriers};
+use super::binding::{Binding, binding};
 use super::chart::{Chart, chart, further_charts};
-use super::constraints::differentiate;
-use super::dependence::{self, Sorted, check_redundant, sort};
+use super::dependence::{self, Sorted, check_redundant};
 use super::dynamics::to_state;
 use super::equations::Equations;
 use super::judge::{figure, judge, relative_pivot};
 use super::outputs::{bind, outputs};
 use super::reactions::{Motion, rates as rates_of, reactions, shared};
 use super::tangent::tangent;
-use super::{Simplifier, bodies, constraints::DifferentiatedRow, lagrange, messages};
+use super::{Simplifier, constraints::DifferentiatedRow, messages};
 use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Graph, Matrix, Rational, Stage};
 use crate::syntax::Diagnostics;
@@ -24,22 +23,9 @@ pub const TANGENT_PIVOT: &str =
 /// Projects the initial system onto the motions that its constraints leave, or says why it cannot.
 pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Result<Equations, Diagnostics> {
     let mut errors = Diagnostics::new();
-    match system.mechanism {
-        Some(_) => bodies::complete(&mut system, simplifier),
-        None => lagrange::complete(&mut system, simplifier),
-    }
-    let rows = differentiate(&mut system);
+    let Some(binding) = binding(&mut system, simplifier, &mut errors) else { return Err(errors) };
+    let Binding { rows, sorted, carriers, carried, overlapping, second_stage } = binding;
     let n = system.speeds.len();
-    let sorted = sort(&mut system.graph, simplifier, &rows, n, &mut errors);
-    let carriers = carriers(&mut system, simplifier);
-    let second_stage = check_configuration(&mut system, simplifier, &rows, &carriers, &mut errors);
-    if !errors.is_empty() {
-        return Err(errors);
-    }
-    let (carried, overlapping) = carried(&mut system, simplifier, &rows, &sorted.kept, &carriers, &mut errors);
-    if !errors.is_empty() {
-        return Err(errors);
-    }
     let before = system.graph.assumptions();
     let tangent = tangent(&mut system, simplifier, &rows, &sorted.kept, &carried, &carriers, 0, &mut errors);
     let Some(tangent) = tangent else { return Err(errors) };
@@ -171,38 +157,6 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     };
     bind(&mut equations);
     Ok(equations)
-}
-
-/// f(g(q, t)) ≡ 0 for the position rows that the configuration is to satisfy. Those that it leaves to a second stage are
-/// named in a note, lest a slip in g go unseen.
-fn check_configuration(
-    system: &mut InitialSystem,
-    simplifier: &mut dyn Simplifier,
-    rows: &[DifferentiatedRow],
-    carriers: &Carriers,
-    errors: &mut Diagnostics,
-) -> Option<String> {
-    let mut left = Vec::new();
-    for row in rows {
-        let Some(f) = row.position else { continue };
-        let value = system.graph.substitute(&[f], &carriers.map)[0];
-        // A function of q is a constraint of the second stage; of t and parameters alone it can only be wrong.
-        let slopes = system.graph.jacobian(&[value], &carriers.coordinates);
-        if slopes.entries().iter().any(|e| !system.graph.vanishes(*e)) {
-            left.push(format!("`{}`", row.name));
-        } else if !system.graph.vanishes(value) {
-            let value = simplifier.one(&mut system.graph, value);
-            let text = system.graph.display(value);
-            errors.report(row.span, messages::configuration_misses(&row.name, &text));
-        }
-    }
-    (carriers.partial_velocities.is_some() && !left.is_empty()).then(|| {
-        let (they, bind) = if left.len() == 1 { ("it", "binds") } else { ("they", "bind") };
-        format!(
-            "the configuration does not satisfy {}: {they} {bind} its coordinates in a second stage",
-            left.join(", ")
-        )
-    })
 }
 
 /// T as the model gives it, else vᵀ M v / 2.

@@ -11,7 +11,7 @@ use super::elimination::{Choice, Elimination, Stuck, eliminate};
 use super::guards::readable;
 use super::messages;
 use super::{Simplifier, given};
-use crate::model::{Independent, IndependentSpeed, InitialSystem};
+use crate::model::{Chosen, Independent, InitialSystem};
 use crate::symbolic::{Expr, Graph, Matrix, Symbol};
 use crate::syntax::Diagnostics;
 
@@ -87,9 +87,13 @@ pub fn tangent(
             Some(columns) => Some(columns),
             None => return combined(system, simplifier, rows, kept, carried, carriers, choice, errors),
         },
-        None => None,
+        None => system.chosen.as_ref().and_then(|chosen| places(&chosen.speeds, carriers)),
     };
-    let by_user = independent.is_some();
+    let why = match (&choice, &system.chosen) {
+        (Some(_), _) => "named by the model".to_owned(),
+        (None, Some(Chosen { reason: Some(reason), .. })) => reason.clone(),
+        (None, _) => "chosen by the cheapest pivots".to_owned(),
+    };
     let width = carriers.speeds.len();
     let columns = match &independent {
         Some(list) => (0..width).map(|j| !list.contains(&j)).collect(),
@@ -144,7 +148,7 @@ pub fn tangent(
     }
     simplifier.settle(graph, &dependent);
     let names: Vec<String> = carried.iter().map(|row| rows[kept[row.row]].name.clone()).collect();
-    let note = note(graph, carriers, &elimination, &names, &speeds, by_user);
+    let note = note(graph, carriers, &elimination, &names, &speeds, &why);
     let pivots = elimination.values.clone();
     let rows = carried.iter().map(|row| row.row).collect();
     let elimination = Some(elimination);
@@ -154,8 +158,12 @@ pub fn tangent(
 
 /// The positions of the speeds among the carriers; `None` where some are combinations of these.
 fn columns(choice: &Independent, carriers: &Carriers) -> Option<Vec<usize>> {
-    let place = |speed: &IndependentSpeed| carriers.speeds.iter().position(|w| *w == speed.symbol);
-    choice.speeds.iter().map(place).collect()
+    let speeds: Vec<Symbol> = choice.speeds.iter().map(|speed| speed.symbol).collect();
+    places(&speeds, carriers)
+}
+
+fn places(speeds: &[Symbol], carriers: &Carriers) -> Option<Vec<usize>> {
+    speeds.iter().map(|speed| carriers.speeds.iter().position(|w| w == speed)).collect()
 }
 
 fn note(
@@ -164,13 +172,12 @@ fn note(
     e: &Elimination,
     rows: &[String],
     speeds: &[Symbol],
-    by_user: bool,
+    why: &str,
 ) -> Option<String> {
     if e.pivots.is_empty() {
         return None;
     }
     let names = |symbols: Vec<Symbol>| symbols.iter().map(|s| graph.name(*s)).collect::<Vec<_>>().join(", ");
-    let who = if by_user { "named by the model" } else { "chosen by the cheapest pivots" };
     let pivots: Vec<String> = e
         .pivots
         .iter()
@@ -181,7 +188,7 @@ fn note(
         })
         .collect();
     Some(format!(
-        "independent speeds {}, {who}; dependent speeds with their pivots: {}",
+        "independent speeds {}, {why}; dependent speeds with their pivots: {}",
         names(speeds.to_vec()),
         pivots.join(", ")
     ))

@@ -103,6 +103,7 @@ fn disk() -> Disk {
         configuration: None,
         velocities: None,
         independent: vec![],
+        chosen: None,
         complement: None,
         outputs: crate::model::Outputs::default(),
         places: Places { model: here, kinematics: here, inertia: here, complement: here, start: here },
