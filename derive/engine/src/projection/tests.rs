@@ -115,7 +115,13 @@ fn disk() -> Disk {
 
 impl Disk {
     fn row(&mut self, name: &str, kind: RowKind) {
-        self.system.rows.push(Row { name: name.into(), span: Span::call_site(), kind, redundant: false });
+        self.system.rows.push(Row {
+            name: name.into(),
+            span: Span::call_site(),
+            kind,
+            redundant: false,
+            released: vec![],
+        });
     }
 
     /// (6.5)

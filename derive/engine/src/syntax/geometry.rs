@@ -237,7 +237,8 @@ fn lengths(element: &Element, diagnostics: &mut Diagnostics) {
                 }
             }
             _ => {
-                let message = messages::element_keys_exclude(&element.name, "`point` and `along`", "`frame` and `about`");
+                let message =
+                    messages::element_keys_exclude(&element.name, "`point` and `along`", "`frame` and `about`");
                 diagnostics.report_local(&element.name, message);
             }
         }

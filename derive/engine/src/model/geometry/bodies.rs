@@ -51,7 +51,15 @@ pub(in crate::model) fn mechanism(vocabulary: &mut Vocabulary<'_>, diagnostics: 
         rate: released.rate,
     });
     let releases = releases.collect();
-    (sound && bodies > 0).then_some(Mechanism { nodes: tree.nodes, masses, loads, gravity, lines, generalized, releases })
+    (sound && bodies > 0).then_some(Mechanism {
+        nodes: tree.nodes,
+        masses,
+        loads,
+        gravity,
+        lines,
+        generalized,
+        releases,
+    })
 }
 
 fn mass(

@@ -146,8 +146,7 @@ fn item(item: Item, vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnosti
         }
         Item::Frame(i) => {
             let frame = &declarations.geometry.frames[i];
-            vocabulary.geometry.named_frames[i] =
-                vocabulary.frame(&frame.name.to_string(), &frame.value, diagnostics);
+            vocabulary.geometry.named_frames[i] = vocabulary.frame(&frame.name.to_string(), &frame.value, diagnostics);
         }
         Item::Point(i) => {
             let point = &declarations.geometry.points[i];
