@@ -92,6 +92,8 @@ pub use assemble::{Assembled, Assembly, AssemblyReport, Met};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use error::Error;
 #[cfg(any(feature = "std", feature = "libm"))]
+pub use math::sin_cos_lanes;
+#[cfg(any(feature = "std", feature = "libm"))]
 pub use matrix::Matrix;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use prepared::{Prepared, Reactions};
