@@ -2,6 +2,7 @@
 
 mod dual;
 mod measured;
+mod orders;
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -10,6 +11,7 @@ use crate::math::{self, double, single};
 
 pub use dual::Dual;
 pub(crate) use measured::Measured;
+pub(crate) use orders::Orders;
 
 /// A number type for the emitted equations: `f64`, `f32`, dual numbers, or a type of your own.
 ///
