@@ -2,7 +2,7 @@
 
 mod conditions;
 mod metric;
-mod newton;
+pub(crate) mod newton;
 mod problem;
 mod report;
 
@@ -16,6 +16,7 @@ use crate::{ConstrainedSystem, Dual, Error, Prepared, Vector};
 use conditions::{Meeting, Wish, sort};
 use problem::Problem;
 
+pub(crate) use conditions::entries;
 pub use report::{AssemblyReport, Met};
 
 /// A configuration in the making; from [`Prepared::assemble`].

@@ -5,7 +5,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::AssemblyReport;
+use crate::{AssemblyReport, TrimReport};
 
 /// Why a model could not be prepared, assembled or simulated.
 ///
@@ -51,7 +51,7 @@ pub enum Error {
         /// When.
         time: f64,
     },
-    /// The start does not satisfy a constraint.
+    /// A start, or the state of a linearisation, does not satisfy a constraint.
     Unmet {
         /// The constraint's name.
         constraint: &'static str,
@@ -75,6 +75,36 @@ pub enum Error {
         residual: f64,
         /// All that was asked for, with what remains, and what is in the way.
         report: Box<AssemblyReport>,
+    },
+    /// No state and inputs with the rates asked for were found.
+    NotSteady {
+        /// What is missed most, relative to the size of its terms: `the constraint`, `the rate of`, or `the quantity`.
+        what: &'static str,
+        /// Its name.
+        name: &'static str,
+        /// What remains of it at the nearest state found: left side minus right side, or the value minus the one asked for.
+        residual: f64,
+        /// All that was asked for, with what remains.
+        report: Box<TrimReport>,
+    },
+    /// A rate or an output has no finite value or no finite derivative in this state, or a constraint has none.
+    NotDifferentiable {
+        /// The entry of the state whose rate it is, the output, or the constraint.
+        name: &'static str,
+        /// The entry of the state, or the input, along which there is none.
+        along: &'static str,
+        /// When.
+        time: f64,
+    },
+    /// A derivative needs one more derivative of a function of the model's own than the model gives.
+    MissingOrder {
+        /// The entry of the state whose rate depends on the function, or the output that does.
+        name: &'static str,
+    },
+    /// An iteration of linear algebra did not converge.
+    NoConvergence {
+        /// What it was to find.
+        of: &'static str,
     },
     /// An output cannot be asked for in an assembly, which knows states only.
     CannotHold {
@@ -235,7 +265,7 @@ impl fmt::Display for Error {
             ),
             Error::Unmet { constraint, residual } => write!(
                 out,
-                "the start does not satisfy the constraint `{constraint}`: left minus right is {residual:e}; `assemble` finds a start that does"
+                "the state does not satisfy the constraint `{constraint}`: left minus right is {residual:e}; `assemble` finds one that does"
             ),
             Error::Projection { constraint, residual, time } => write!(
                 out,
@@ -254,6 +284,21 @@ impl fmt::Display for Error {
                 }
                 out.write_str("start from another guess, hold fewer coordinates, or check the dimensions")
             }
+            Error::NotSteady { what, name, residual, .. } => write!(
+                out,
+                "no steady motion was found: {what} `{name}` remains off by {residual:e}; free another entry of the state or another \
+                 input, ask for fewer rates, or start from another guess"
+            ),
+            Error::NotDifferentiable { name, along, time } => write!(
+                out,
+                "`{name}` or its derivative along `{along}` is not finite at t = {time}; check forces, inputs and functions there, roots \
+                 at zero among them"
+            ),
+            Error::MissingOrder { name } => write!(
+                out,
+                "`{name}` depends on a function of the model whose next derivative is needed; add it to `derivatives` in `#[function(..)]`"
+            ),
+            Error::NoConvergence { of } => write!(out, "{of} could not be found: the iteration does not converge"),
             Error::CannotHold { name, on } => write!(
                 out,
                 "the output `{name}` depends on {on} and cannot be held: an assembly moves coordinates and speeds only; \

@@ -8,6 +8,8 @@
 //! * [`Prepared::assemble`] closes the constraints from a guess, with whatever else is asked for;
 //! * [`Prepared::project_positions`] and [`Prepared::project_velocities`] take x and v back onto the constraints;
 //! * [`Prepared::simulate`] integrates, watches the guards, and stays on the constraint manifold;
+//! * [`Prepared::linearize`] gives the linear equations of small deviations from a motion, with eigenvalues and modes;
+//! * [`Prepared::trim`] finds equilibria and steady motions;
 //! * [`equations`] has the derived equations as formulas and in LaTeX: `println!("{}", Pendulum::MODEL.latex())`;
 //! * [`forms`] has the unreduced forms of the equations, for oracles and for study.
 //!
@@ -67,6 +69,8 @@ mod error;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod forms;
 #[cfg(any(feature = "std", feature = "libm"))]
+mod linearize;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod manifold;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod math;
@@ -85,6 +89,8 @@ mod system;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod tangent;
 #[cfg(any(feature = "std", feature = "libm"))]
+mod trim;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod vector;
 
 #[cfg(any(feature = "std", feature = "libm"))]
@@ -92,7 +98,14 @@ pub use assemble::{Assembled, Assembly, AssemblyReport, Met};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use error::Error;
 #[cfg(any(feature = "std", feature = "libm"))]
+pub use linearize::{Linearization, Mode};
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use math::sin_cos_lanes;
+#[cfg(any(feature = "std", feature = "libm"))]
 pub use matrix::Matrix;
+/// A complex number, as eigenvalues are.
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use nalgebra::Complex;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use prepared::{Prepared, Reactions};
 #[cfg(any(feature = "std", feature = "libm"))]
@@ -106,6 +119,8 @@ pub use system::{
     ChartInfo, ConstrainedSystem, Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo,
     OutputInfo, RowInfo, State,
 };
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use trim::{Trim, TrimReport, Trimmed};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use vector::Vector;
 

@@ -38,7 +38,7 @@ pub(crate) type Rows<'a, M, R> = &'a dyn Fn(
 /// The smallest magnitude with which an entry of a vector counts in the size of terms.
 ///
 /// Of a row like z = 0 the terms are the noise itself: what the noise is small against is how far the other entries reach.
-fn floor<V: Vector<f64>>(v: &V) -> f64 {
+pub(crate) fn floor<V: Vector<f64>>(v: &V) -> f64 {
     let array: V::Array = (*v).into();
     let reach = array.as_ref().iter().fold(0.0, |reach: f64, entry| reach.max(entry.abs()));
     if reach.is_finite() { NOISE.max(SMALLEST * reach) } else { NOISE }
@@ -164,7 +164,7 @@ impl<M: ConstrainedSystem> Manifold<M> {
     }
 
     /// Whether a row depends on the coordinates of the state at all, by the Jacobian: a configuration satisfies its rows.
-    fn moves(&self, row: usize, s: &M::State<f64>) -> bool {
+    pub(crate) fn moves(&self, row: usize, s: &M::State<f64>) -> bool {
         let array: <M::State<f64> as Vector<f64>>::Array = (*s).into();
         let least = floor(s);
         let slopes = self.jacobian[row * self.columns..(row + 1) * self.columns].iter().zip(array.as_ref());

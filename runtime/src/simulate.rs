@@ -23,6 +23,10 @@ mod tableau;
 mod tests;
 mod trajectory;
 
+pub(crate) use emitted::check_inputs;
+pub(crate) use guards::Watch;
+pub(crate) use start::{check_position, check_velocity};
+
 pub use charts::{Chart, Charts, FLAT, STEEP};
 pub use events::{Event, Occurrence};
 pub use guards::SINGULAR;

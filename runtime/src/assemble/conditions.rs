@@ -157,7 +157,7 @@ fn asks_for_speeds<M: ConstrainedSystem>(
 }
 
 /// The entries of a vector.
-pub(super) fn entries<T: crate::Scalar, V: Vector<T>>(v: &V) -> Vec<T> {
+pub(crate) fn entries<T: crate::Scalar, V: Vector<T>>(v: &V) -> Vec<T> {
     let array: V::Array = (*v).into();
     Vec::from(array.as_ref())
 }

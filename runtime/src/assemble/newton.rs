@@ -9,14 +9,14 @@ use crate::forms::least_squares;
 /// A residual below this many units of rounding of its terms is met.
 const MET: f64 = 8.0 * f64::EPSILON;
 /// Where Newton's method makes no more progress, a residual below this fraction of its terms is met.
-pub(super) const STALLED: f64 = 1e-12;
+pub(crate) const STALLED: f64 = 1e-12;
 /// Singular values below this fraction of the largest count as zero.
 const RANK: f64 = 1e-10;
 const ITERATIONS: usize = 200;
 const HALVINGS: usize = 40;
 
 /// Equations r(y) = 0.
-pub(super) trait Equations {
+pub(crate) trait Equations {
     /// r at y; entries that cannot be had are not a number.
     fn residual(&self, y: &[f64]) -> Vec<f64>;
     /// ∂r/∂y.
@@ -27,7 +27,7 @@ pub(super) trait Equations {
 
 /// Moves y until the equations are met or no step makes the residual smaller. `sizes` are the sizes of the residuals' terms;
 /// they grow with what is met on the way.
-pub(super) fn newton(equations: &dyn Equations, y: &mut Vec<f64>, sizes: &mut [f64]) -> Vec<f64> {
+pub(crate) fn newton(equations: &dyn Equations, y: &mut Vec<f64>, sizes: &mut [f64]) -> Vec<f64> {
     let mut r = equations.residual(y);
     for _ in 0..ITERATIONS {
         if worst(&r, sizes).1 <= MET {
@@ -55,7 +55,7 @@ pub(super) fn newton(equations: &dyn Equations, y: &mut Vec<f64>, sizes: &mut [f
 }
 
 /// The largest residual relative to its terms, and its row. NaN counts as infinite.
-pub(super) fn worst(r: &[f64], sizes: &[f64]) -> (usize, f64) {
+pub(crate) fn worst(r: &[f64], sizes: &[f64]) -> (usize, f64) {
     let ratios = r.iter().zip(sizes).map(|(residual, size)| ratio(*residual, *size)).enumerate();
     ratios.fold((0, 0.0), |worst, (i, ratio)| if ratio > worst.1 { (i, ratio) } else { worst })
 }

@@ -174,7 +174,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for Emitted<'_, M, I> {
 }
 
 /// Inputs that a source gave must be finite.
-pub(super) fn check_inputs<M: ConstrainedSystem>(inputs: &M::Inputs<f64>) -> Result<(), Error> {
+pub(crate) fn check_inputs<M: ConstrainedSystem>(inputs: &M::Inputs<f64>) -> Result<(), Error> {
     let array: <M::Inputs<f64> as Vector<f64>>::Array = (*inputs).into();
     match array.as_ref().iter().position(|input| !input.is_finite()) {
         Some(at) => Err(Error::NonFinite { name: M::MODEL.inputs.get(at).copied().unwrap_or("input") }),

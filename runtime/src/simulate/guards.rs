@@ -44,7 +44,7 @@ pub(super) fn of_chart(info: &GuardInfo) -> bool {
 }
 
 /// Watches the guards along a run.
-pub(super) struct Watch<M> {
+pub(crate) struct Watch<M> {
     infos: &'static [GuardInfo],
     largest: Vec<f64>,
     negative: Vec<bool>,
@@ -56,7 +56,7 @@ impl<M: ConstrainedSystem> Watch<M> {
     ///
     /// A guard alone does not tell whether it is small. At the start it is compared with how much it changes over the state's
     /// coordinates and the time, so that cos θ at θ = π/2 counts as zero although rounding leaves 6e-17.
-    pub(super) fn new(model: &Prepared<M>, chart: usize, t: f64, s: &M::State<f64>) -> Result<Self, Error> {
+    pub(crate) fn new(model: &Prepared<M>, chart: usize, t: f64, s: &M::State<f64>) -> Result<Self, Error> {
         let watch = Self::unjudged(model, chart, t, s)?;
         watch.check(t, figures(model, chart, t, s).into().as_ref())?;
         Ok(watch)

@@ -18,7 +18,7 @@ pub(super) fn check_on_manifold<M: ConstrainedSystem>(
 }
 
 /// f at the start; gives the manifold to stay on where the state holds the coordinates of position rows.
-pub(super) fn check_position<M: ConstrainedSystem>(
+pub(crate) fn check_position<M: ConstrainedSystem>(
     model: &Prepared<M>,
     t: f64,
     s: &M::State<f64>,
@@ -34,7 +34,7 @@ pub(super) fn check_position<M: ConstrainedSystem>(
 }
 
 /// φ at the start.
-pub(super) fn check_velocity<M: ConstrainedSystem>(
+pub(crate) fn check_velocity<M: ConstrainedSystem>(
     model: &Prepared<M>,
     t: f64,
     s: &M::State<f64>,
