@@ -11,6 +11,7 @@
 //! What a derivation claims (a [`Claim`]) is then held against that solution, see [`check`].
 #![allow(dead_code, unused_imports, reason = "every test file uses its own part of the oracle")]
 
+mod bodies;
 mod charts;
 mod check;
 mod claim;
@@ -20,10 +21,14 @@ mod consistency;
 mod declaration;
 mod evaluate;
 mod families;
+mod geometry;
 mod given;
+mod inertia;
 mod kkt;
 mod lagrange;
 mod linear;
+mod loads;
+mod motion;
 mod number;
 mod outputs;
 mod principles;
@@ -33,6 +38,7 @@ mod rows;
 mod statements;
 mod switches;
 mod system;
+mod vectors;
 
 pub use check::check;
 pub use claim::{ChartClaim, Claim, Multiplier};
