@@ -1,10 +1,12 @@
 //! The oracle's geometry by itself: mechanisms by bodies, against the same by equations that were worked out by hand. No engine.
 
 mod oracle;
+mod random;
 mod support;
 
 use nalgebra::DMatrix;
 use oracle::{Declaration, Scaled, System, closed, onto_velocity_rows, read_models};
+use random::{counted, mechanism};
 use support::golden::{assert_close, assert_close_at};
 use support::splitmix::SplitMix;
 
@@ -310,4 +312,66 @@ fn forms_of_inertia() {
         assert_close_at(form, &values(dynamics.h.as_slice()), euler.as_slice(), TOLERANCE, 1.0);
         assert_close(form, &values(dynamics.m.as_slice()), tensor.as_slice(), TOLERANCE);
     }
+}
+
+/// How many random mechanisms are looked at.
+const MECHANISMS: usize = 60;
+
+/// A random state of a mechanism, on its constraints.
+fn state(system: &System<'_>, random: &mut SplitMix) -> Option<(f64, Vec<f64>, Vec<f64>)> {
+    let t = random.between(0.0, 2.0);
+    let x = closed(system, t, &random.vector(system.model.coordinates.len(), -1.0, 1.0))?;
+    let v = onto_velocity_rows(system, t, &x, &random.vector(system.model.n(), -1.0, 1.0))?;
+    Some((t, x, v))
+}
+
+/// Statements by which a mechanism gains or loses energy.
+fn feeds(line: &str) -> bool {
+    ["#[force(", "#[torque(", "#[damper(", "#[generalized_force("].iter().any(|statement| line.starts_with(statement))
+}
+
+/// Where no force takes energy and time moves nothing, the motion by the full system keeps T + V.
+#[test]
+fn random_mechanisms_keep_their_energy() {
+    let mut random = SplitMix::new(8);
+    let (mut found, mut conservative) = (Vec::new(), 0);
+    for number in 0..MECHANISMS {
+        let mechanism = mechanism(7, number);
+        let source: String =
+            mechanism.source.lines().filter(|line| !feeds(line)).flat_map(|line| [line, "\n"]).collect();
+        let declared = model(&source);
+        let mut system = System::nominal(&declared);
+        system.inputs = random.vector(declared.inputs.len(), -1.0, 1.0);
+        let place = format!("{}\n{}", mechanism.name, mechanism.source);
+        let (t, x, v) = (0..20).find_map(|_| state(&system, &mut random)).unwrap_or_else(|| panic!("{place}"));
+        let motion = system.motion(t, &x, &v);
+        let rows = system.rows(t, &x, &v);
+        // M v̇ − h* = Cᵀ λ, with the M and h* that the bodies add up to
+        let reaction = rows.c.map(|e| e.value).transpose() * &motion.multipliers;
+        let scale = motion.reaction.amax().max(1.0) * motion.condition;
+        assert!((&motion.reaction - reaction).amax() <= 1e-13 * scale, "{place}");
+        found.extend(mechanism.classes.clone());
+        let in_time = ["*t", "(t)", "*cross(N.z, P1)"].iter().any(|sign| source.contains(sign));
+        if in_time {
+            continue;
+        }
+        conservative += 1;
+        let rates = system.rates(t, &x, &v);
+        let along = |values: &[f64], rates: &[f64], h: f64| -> Vec<f64> {
+            values.iter().zip(rates).map(|(value, rate)| value + h * rate).collect()
+        };
+        let energy = |h: f64| {
+            let dynamics = system.dynamics(t, &along(&x, &rates, h), &along(&v, motion.acceleration.as_slice(), h));
+            dynamics.kinetic.value + dynamics.potential.map_or(0.0, |potential| potential.value)
+        };
+        let step = 1e-3 / (1.0 + motion.acceleration.amax());
+        let change =
+            (8.0 * (energy(step) - energy(-step)) - (energy(2.0 * step) - energy(-2.0 * step))) / (12.0 * step);
+        let dynamics = system.dynamics(t, &x, &v);
+        let size = dynamics.kinetic.size + dynamics.potential.map_or(0.0, |potential| potential.size);
+        let power = dynamics.h.iter().zip(&v).fold(size, |sum, (h, v)| sum + (h.value * v).abs());
+        assert!(change.abs() <= 1e-9 * power + 1e-14 * size / step, "{change:e} at {power:e}, {place}");
+    }
+    println!("{}{conservative} of them conservative", counted(found.iter().map(String::as_str)));
+    assert!(conservative >= MECHANISMS / 2, "{conservative}");
 }

@@ -124,12 +124,18 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial, given: bool) -> Mo
     let vector = DVector::from_fn(size, |i, _| right(i).0.value * right(i).1);
     let vector_size = DVector::from_fn(size, |i, _| right(i).0.size * right(i).1);
 
-    let constraint = matrix.view((unknowns, 0), (m + links, unknowns)).into_owned();
-    let (rank, _) = conditioned_rank(&constraint);
+    // bodies follow the speeds whatever the rows are: their own links are independent of each other and of all rows
+    let of_bodies = |i: &usize| (m..m + w).contains(i);
+    let of_rows: Vec<usize> = (0..m + links).filter(|i| !of_bodies(i)).collect();
+    let constraint = matrix.view((unknowns, w), (m + links, unknowns - w)).into_owned();
+    let (rank, _) = conditioned_rank(&constraint.select_rows(&of_rows));
     let by_the_state = |i: usize| rows.linear[i] || (given && rows.levels[i] == Level::Velocity);
-    let binding: Vec<usize> = (0..m + links).filter(|&i| i >= m || by_the_state(i)).collect();
+    let binding: Vec<usize> = of_rows.iter().copied().filter(|&i| i >= m || by_the_state(i)).collect();
     let (velocity_rank, _) = conditioned_rank(&constraint.select_rows(&binding));
-    let (solution, condition) = solve_dense(&matrix, &vector, rank == m + links);
+    let (solution, condition) = match rank == of_rows.len() {
+        true if w > 0 => solve_regular(&matrix, &vector),
+        regular => solve_dense(&matrix, &vector, regular),
+    };
     let error = UNIT * condition * (matrix_size.norm() * solution.norm() + vector_size.norm()) / matrix.norm();
 
     let acceleration = DVector::from_fn(n, |i, _| solution[w + i] * scale[w + i]);
@@ -141,8 +147,8 @@ fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial, given: bool) -> Mo
             solution[unknowns + i] * row_scale[i]
         }),
         second_rates: DVector::from_fn(p, |j, _| solution[w + n + j] * scale[w + n + j]),
-        freedom: unknowns - rank,
-        speeds: unknowns - velocity_rank,
+        freedom: n + p - rank,
+        speeds: n + p - velocity_rank,
         condition,
         second_rate_errors: DVector::from_fn(p, |i, _| error * scale[w + n + i]),
         acceleration_error: DVector::from_fn(n, |i, _| error * scale[w + i]),
@@ -174,6 +180,25 @@ fn solve_dense(matrix: &DMatrix<f64>, vector: &DVector<f64>, regular: bool) -> (
         solution += correction;
     }
     (solution, condition)
+}
+
+/// LU with one step of refinement; the condition by the power method on AᵀA and on its inverse.
+fn solve_regular(matrix: &DMatrix<f64>, vector: &DVector<f64>) -> (DVector<f64>, f64) {
+    let transposed = matrix.transpose();
+    let (lu, lu_transposed) = (matrix.clone().lu(), transposed.clone().lu());
+    let once = |right: &DVector<f64>| lu.solve(right).expect("rows of full rank");
+    let back = |right: &DVector<f64>| lu_transposed.solve(right).expect("rows of full rank");
+    let first = once(vector);
+    let solution = &first + once(&(vector - matrix * &first));
+    let start = DVector::from_fn(vector.len(), |i, _| 1.0 + 0.3 * (7 * i + 1) as f64 % 1.7);
+    let (mut large, mut small) = (start.normalize(), start.normalize());
+    let (mut largest, mut inverse) = (1.0_f64, 1.0_f64);
+    for _ in 0..15 {
+        let (grown, shrunk) = (&transposed * (matrix * &large), once(&back(&small)));
+        (largest, inverse) = (grown.norm(), shrunk.norm());
+        (large, small) = (grown / largest, shrunk / inverse);
+    }
+    (solution, (largest * inverse).sqrt())
 }
 
 /// √M_ii; what has no inertia counts as the heaviest that has.
