@@ -75,6 +75,11 @@ impl Tree {
             let q = self.writer.random.one_of(&self.coordinates).clone();
             self.text += &format!("#[potential_energy(p2*sin({q}))]\n");
         }
+        if self.kind != "family" && self.chance(8) {
+            self.class("further forces");
+            let forces = (0..self.coordinates.len()).map(|i| if i == 0 { "0.40*p1" } else { "0" });
+            self.text += &format!("#[forces({})]\n", forces.collect::<Vec<_>>().join(", "));
+        }
         if let Some(speed) = speeds.first().cloned()
             && self.chance(2)
         {
@@ -118,8 +123,9 @@ impl Tree {
             }
             "spring" => {
                 self.class("spring between points");
+                let length = if self.chance(4) { "" } else { ", length: p3" };
                 format!(
-                    "#[spring(band = {{ from: {ground}, to: {point} + {offset}*{frame}.x, stiffness: {c}, length: p3 }})]\n"
+                    "#[spring(band = {{ from: {ground}, to: {point} + {offset}*{frame}.x, stiffness: {c}{length} }})]\n"
                 )
             }
             "winding" => {

@@ -48,7 +48,7 @@ impl Tree {
         }
     }
 
-    /// A position row on a tree: a height, or a distance.
+    /// A row on a tree: a height, a distance, or an acceleration.
     fn held(&mut self) {
         if self.coordinates.len() < 3 {
             return;
@@ -58,9 +58,13 @@ impl Tree {
         self.text += &format!("#[point(Held = {place})]\n");
         self.class("scalar row of vectors");
         let height = self.between(0.2, 0.6);
-        let row = match self.chance(2) {
-            true => format!("#[constraint(held: dot(Held, 3/5*N.x + 4/5*N.y) == {height})]\n"),
-            false => format!("#[constraint(held: norm(Held - {height}*N.y) == 1)]\n"),
+        let row = match self.writer.random.below(3) {
+            0 => format!("#[constraint(held: dot(Held, 3/5*N.x + 4/5*N.y) == {height})]\n"),
+            1 => format!("#[constraint(held: norm(Held - {height}*N.y) == 1)]\n"),
+            _ => {
+                self.class("row of accelerations");
+                format!("#[constraint(held: dot(acceleration(Held), N.x + N.y) == {height})]\n")
+            }
         };
         self.text += &row;
     }
@@ -112,7 +116,12 @@ impl Tree {
         self.bodies.push(("wheel".to_string(), 1));
         let expressed = if carrier == "L" && self.chance(2) { ", expressed = Y" } else { "" };
         self.class(if expressed.is_empty() { "vector row in N" } else { "vector row in a frame" });
-        self.text += &format!("#[constraint(roll: velocity(P1, wheel) == {right}{expressed})]\n");
+        // the frame of one body alone stands for it
+        let of = if self.chance(3) { "A1" } else { "wheel" };
+        if of == "A1" {
+            self.class("material point by its frame");
+        }
+        self.text += &format!("#[constraint(roll: velocity(P1, {of}) == {right}{expressed})]\n");
         self.class("vector row of velocities");
         if self.chance(2) {
             self.links.push((carrier.to_string(), "C1".to_string()));
