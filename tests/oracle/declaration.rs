@@ -1,6 +1,7 @@
 //! A model as it is declared: names and expressions, nothing computed.
 
 use super::families::Indices;
+use super::geometry::Geometry;
 use std::collections::{BTreeMap, BTreeSet};
 use syn::Expr;
 
@@ -28,6 +29,8 @@ pub struct Constraint {
     pub level: Level,
     /// The row may depend on the others.
     pub redundant: bool,
+    /// The frame in whose axes a vector equation has its rows; `N` unless it says so.
+    pub expressed: Expr,
 }
 
 /// An independent speed.
@@ -97,6 +100,8 @@ pub struct Declaration {
     pub definitions: BTreeMap<String, Expr>,
     /// Start values.
     pub start: BTreeMap<String, f64>,
+    /// Frames, points, bodies and what acts on them.
+    pub geometry: Geometry,
 }
 
 impl Declaration {

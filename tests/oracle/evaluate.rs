@@ -1,30 +1,51 @@
 //! Expressions over any number, by walking them as they were written.
 
+use super::declaration::Declaration;
 use super::given::given;
+use super::motion::Rates;
 use super::number::Number;
 use super::statements::{number, plain, rate_of, reaction_of, second_rate_of};
-use std::cell::RefCell;
+use super::vectors::{Axes, Value};
+use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 use syn::{BinOp, Block, Expr, Stmt, UnOp};
 
 /// What the names stand for.
 pub struct Scope<'a, N> {
-    names: BTreeMap<&'a str, N>,
-    rates: BTreeMap<&'a str, N>,
-    second_rates: BTreeMap<&'a str, N>,
+    pub(super) model: &'a Declaration,
+    pub(super) names: BTreeMap<&'a str, N>,
+    pub(super) rates: BTreeMap<&'a str, N>,
+    pub(super) second_rates: BTreeMap<&'a str, N>,
     reactions: BTreeMap<&'a str, N>,
     outputs: BTreeMap<&'a str, N>,
-    definitions: &'a BTreeMap<String, Expr>,
-    known: RefCell<BTreeMap<&'a str, N>>,
+    known: RefCell<BTreeMap<&'a str, Value<N>>>,
+    pub(super) turned: RefCell<BTreeMap<&'a str, Axes<N>>>,
+    /// How the same scope is had along the motion, once and twice; `None` where no motion is in scope.
+    pub(super) along: [Option<Along<'a, N>>; 2],
+    /// The same scope along the motion, once and twice.
+    pub(super) moving: [OnceCell<Box<dyn Rates<N> + 'a>>; 2],
 }
 
+/// What makes the scope along the motion.
+///
+/// A pointer and not a call: the scope along the motion has another type, that of its scope along the motion yet another, and so on.
+pub type Along<'a, N> = fn(&Scope<'a, N>) -> Box<dyn Rates<N> + 'a>;
+
 impl<'a, N: Number> Scope<'a, N> {
-    /// A scope that knows the definitions only.
-    pub fn new(definitions: &'a BTreeMap<String, Expr>) -> Self {
-        let names = BTreeMap::from([("PI", N::constant(std::f64::consts::PI))]);
-        let (rates, second_rates) = (BTreeMap::new(), BTreeMap::new());
-        let (reactions, outputs) = (BTreeMap::new(), BTreeMap::new());
-        Self { names, rates, second_rates, reactions, outputs, definitions, known: RefCell::default() }
+    /// A scope that knows the definitions, frames and points only.
+    pub fn new(model: &'a Declaration) -> Self {
+        Self {
+            model,
+            names: BTreeMap::from([("PI", N::constant(std::f64::consts::PI))]),
+            rates: BTreeMap::new(),
+            second_rates: BTreeMap::new(),
+            reactions: BTreeMap::new(),
+            outputs: BTreeMap::new(),
+            known: RefCell::default(),
+            turned: RefCell::default(),
+            along: [None, None],
+            moving: [OnceCell::new(), OnceCell::new()],
+        }
     }
 
     /// Adds names with their values.
@@ -57,47 +78,60 @@ impl<'a, N: Number> Scope<'a, N> {
         self
     }
 
-    /// The value of an expression.
+    /// The value of an expression that is a scalar.
     ///
     /// # Panics
     /// On a name that is not in scope and on what is no expression of a model.
     pub fn value(&self, e: &Expr) -> N {
+        self.evaluate(e).scalar()
+    }
+
+    /// The value of an expression.
+    ///
+    /// # Panics
+    /// On a name that is not in scope and on what is no expression of a model.
+    pub fn evaluate(&self, e: &Expr) -> Value<N> {
         match e {
-            Expr::Paren(inner) => self.value(&inner.expr),
-            Expr::Group(inner) => self.value(&inner.expr),
-            Expr::Lit(_) => N::constant(number(e)),
-            Expr::Unary(u) if matches!(u.op, UnOp::Neg(_)) => -self.value(&u.expr),
+            Expr::Paren(inner) => self.evaluate(&inner.expr),
+            Expr::Group(inner) => self.evaluate(&inner.expr),
+            Expr::Lit(_) => Value::Scalar(N::constant(number(e))),
+            Expr::Unary(u) if matches!(u.op, UnOp::Neg(_)) => self.evaluate(&u.expr).times(-N::one()),
             Expr::Binary(b) => {
-                let (left, right) = (self.value(&b.left), self.value(&b.right));
+                let (left, right) = (self.evaluate(&b.left), self.evaluate(&b.right));
                 match b.op {
-                    BinOp::Add(_) => left + right,
-                    BinOp::Sub(_) => left - right,
-                    BinOp::Mul(_) => left * right,
-                    BinOp::Div(_) => left / right,
+                    BinOp::Add(_) => left.plus(right),
+                    BinOp::Sub(_) => left.minus(right),
+                    BinOp::Mul(_) => match left {
+                        Value::Scalar(left) => right.times(left),
+                        Value::Vector(_) => left.times(right.scalar()),
+                    },
+                    BinOp::Div(_) => left.over(right.scalar()),
                     _ => panic!("not an operation of a model"),
                 }
             }
             Expr::Path(_) => self.named(&plain(e).expect("a plain name")),
+            Expr::Field(_) => Value::Vector(self.axis(e)),
             Expr::If(choice) => match &choice.else_branch {
-                Some((_, otherwise)) if !self.holds(&choice.cond) => self.value(otherwise),
+                Some((_, otherwise)) if !self.holds(&choice.cond) => self.evaluate(otherwise),
                 Some(_) => self.last(&choice.then_branch),
                 None => panic!("a choice needs both branches"),
             },
             Expr::Block(block) => self.last(&block.block),
             Expr::Call(_) if reaction_of(e).is_some() => {
                 let name = reaction_of(e).expect("a reaction");
-                *self.reactions.get(name.as_str()).unwrap_or_else(|| panic!("reaction({name}) is not in scope"))
+                let known = self.reactions.get(name.as_str());
+                Value::Scalar(*known.unwrap_or_else(|| panic!("reaction({name}) is not in scope")))
             }
             Expr::Call(call) => match (rate_of(e), second_rate_of(e)) {
-                (Some(name), _) => {
-                    *self.rates.get(name.as_str()).unwrap_or_else(|| panic!("dot({name}) is not in scope"))
-                }
-                (_, Some(name)) => {
-                    *self.second_rates.get(name.as_str()).unwrap_or_else(|| panic!("ddot({name}) is not in scope"))
+                (Some(name), _) if self.rates.contains_key(name.as_str()) => Value::Scalar(self.rates[name.as_str()]),
+                (_, Some(name)) if self.second_rates.contains_key(name.as_str()) => {
+                    Value::Scalar(self.second_rates[name.as_str()])
                 }
                 _ => {
                     let arguments: Vec<&Expr> = call.args.iter().collect();
-                    self.function(&plain(&call.func).expect("a function's name"), &arguments)
+                    let name = plain(&call.func).expect("a function's name");
+                    self.of_vectors(&name, &arguments)
+                        .unwrap_or_else(|| Value::Scalar(self.function(&name, &arguments)))
                 }
             },
             _ => panic!("not an expression of a model"),
@@ -105,9 +139,9 @@ impl<'a, N: Number> Scope<'a, N> {
     }
 
     /// The value of a block that is one expression.
-    fn last(&self, block: &Block) -> N {
+    fn last(&self, block: &Block) -> Value<N> {
         let [Stmt::Expr(e, None)] = block.stmts.as_slice() else { panic!("not an expression of a model") };
-        self.value(e)
+        self.evaluate(e)
     }
 
     fn holds(&self, condition: &Expr) -> bool {
@@ -129,14 +163,21 @@ impl<'a, N: Number> Scope<'a, N> {
         }
     }
 
-    fn named(&self, name: &str) -> N {
-        if let Some(value) = self.names.get(name).or(self.known.borrow().get(name)) {
+    fn named(&self, name: &str) -> Value<N> {
+        if let Some(value) = self.names.get(name) {
+            return Value::Scalar(*value);
+        }
+        if let Some(value) = self.known.borrow().get(name) {
             return *value;
         }
-        let Some((name, definition)) = self.definitions.get_key_value(name) else {
-            return *self.outputs.get(name).unwrap_or_else(|| panic!("`{name}` is not in scope"));
+        if name == "O" {
+            return Value::Vector([N::zero(); 3]);
+        }
+        let points = &self.model.geometry.points;
+        let Some((name, definition)) = self.model.definitions.get_key_value(name).or(points.get_key_value(name)) else {
+            return Value::Scalar(*self.outputs.get(name).unwrap_or_else(|| panic!("`{name}` is not in scope")));
         };
-        let value = self.value(definition);
+        let value = self.evaluate(definition);
         self.known.borrow_mut().insert(name, value);
         value
     }

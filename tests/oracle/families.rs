@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{
-    BinOp, Block, Expr, ExprArray, ExprAssign, ExprBinary, ExprBlock, ExprCall, ExprIf, ExprParen, ExprUnary, Ident,
-    RangeLimits, Result, Stmt, Token, UnOp, bracketed,
+    BinOp, Block, Expr, ExprArray, ExprAssign, ExprBinary, ExprBlock, ExprCall, ExprField, ExprIf, ExprParen,
+    ExprUnary, Ident, RangeLimits, Result, Stmt, Token, UnOp, bracketed,
 };
 
 /// Sizes and indices with their values.
@@ -191,6 +191,7 @@ pub fn written(e: &Expr, indices: &Indices) -> Expr {
             else_branch: choice.else_branch.as_ref().map(|(token, e)| (*token, inner(e))),
         }),
         Expr::Block(b) => Expr::Block(ExprBlock { attrs: Vec::new(), label: None, block: block(&b.block) }),
+        Expr::Field(field) => Expr::Field(ExprField { base: inner(&field.base), ..field.clone() }),
         Expr::Array(array) => Expr::Array(ExprArray {
             attrs: Vec::new(),
             bracket_token: array.bracket_token,

@@ -1,7 +1,7 @@
 //! The motion by the full system (2.8): no complement, no elimination, only dense algebra.
 
 use super::declaration::Level;
-use super::number::Scaled;
+use super::number::{Number, Scaled};
 use super::rows::Rows;
 use super::system::{Dynamics, System};
 use nalgebra::{DMatrix, DVector};
@@ -60,78 +60,99 @@ impl System<'_> {
 fn solve(dynamics: &Dynamics, rows: &Rows, partial: &Partial, given: bool) -> Motion {
     let (n, m) = (dynamics.h.len(), rows.c0.len());
     let p = partial.as_ref().map_or(0, |(d, _)| d.ncols());
-    let links = if partial.is_some() { n } else { 0 };
+    let bodies = dynamics.bodies.as_ref();
+    let w = bodies.map_or(0, |bodies| bodies.force.len());
+    let links = w + if partial.is_some() { n } else { 0 };
     let zero = Scaled { value: 0.0, size: 0.0 };
 
-    // unknowns: v̇ (n), q̈ (p); rows: the declared ones (m), then v̇ − Dᵀ q̈ = a_u
-    let inertia = |i: usize, j: usize| {
-        if i < n && j < n { dynamics.m[(i, j)] } else { zero }
+    // unknowns: ẇ of the bodies (w), v̇ (n), q̈ (p); rows: the declared ones (m), then ẇ − J v̇ = γ, then v̇ − Dᵀ q̈ = a_u
+    let own = (&dynamics.m, &dynamics.h);
+    let of_speeds = bodies.map_or(own, |bodies| (&bodies.inertia_of_speeds, &bodies.force_of_speeds));
+    let inertia = |i: usize, j: usize| match (bodies, i.checked_sub(w), j.checked_sub(w)) {
+        (Some(bodies), None, None) => bodies.mass[(i, j)],
+        (_, Some(i), Some(j)) if i < n && j < n => of_speeds.0[(i, j)],
+        _ => zero,
     };
-    let row = |i: usize, j: usize| match (i.checked_sub(m), partial) {
-        (None, _) => {
-            if j < n {
-                rows.c[(i, j)]
-            } else {
-                zero
-            }
-        }
-        (Some(i), Some((d, _))) if j >= n => -d[(i, j - n)],
-        (Some(i), _) => Scaled { value: f64::from(u8::from(i == j)), size: f64::from(u8::from(i == j)) },
+    let force = |i: usize| match (bodies, i.checked_sub(w)) {
+        (Some(bodies), None) => bodies.force[i],
+        (_, Some(i)) if i < n => of_speeds.1[i],
+        _ => zero,
     };
-    let force = |i: usize| if i < n { dynamics.h[i] } else { zero };
-    let bias = |i: usize| match (i.checked_sub(m), partial) {
-        (Some(i), Some((_, a_u))) => -a_u[i],
-        _ => rows.c0[i],
+    let unit = |holds: bool| Scaled::constant(f64::from(u8::from(holds)));
+    let row = |i: usize, j: usize| match (bodies, partial) {
+        _ if i < m => j.checked_sub(w).filter(|j| *j < n).map_or(zero, |j| rows.c[(i, j)]),
+        (Some(bodies), _) if i < m + w => match j.checked_sub(w) {
+            Some(j) if j < n => -bodies.jacobian[(i - m, j)],
+            _ => unit(i - m == j),
+        },
+        (_, Some((d, _))) if j >= w + n => -d[(i - m - w, j - w - n)],
+        _ => unit(i - m == j),
+    };
+    let bias = |i: usize| match (bodies, partial) {
+        _ if i < m => rows.c0[i],
+        (Some(bodies), _) if i < m + w => -bodies.bias[i - m],
+        (_, Some((_, a_u))) => -a_u[i - m - w],
+        _ => zero,
     };
 
     // equilibrated: unit diagonal of M, partial velocities of unit size, rows of unit norm
-    let mut scale = DVector::from_element(n + p, 1.0);
-    roots(&dynamics.m.map(|e| e.value)).iter().enumerate().for_each(|(i, root)| scale[i] = 1.0 / root);
+    let unknowns = w + n + p;
+    let mut scale = DVector::from_element(unknowns, 1.0);
+    bodies.iter().flat_map(|bodies| bodies.scale.iter()).enumerate().for_each(|(i, unit)| scale[i] = *unit);
+    roots(&dynamics.m.map(|e| e.value)).iter().enumerate().for_each(|(i, root)| scale[w + i] = 1.0 / root);
     for j in 0..p {
-        let column: f64 = (0..n).map(|i| (row(m + i, n + j).value / scale[i]).powi(2)).sum();
-        scale[n + j] = 1.0 / column.sqrt().max(f64::MIN_POSITIVE);
+        let column: f64 = (0..n).map(|i| (row(m + w + i, w + n + j).value / scale[w + i]).powi(2)).sum();
+        scale[w + n + j] = 1.0 / column.sqrt().max(f64::MIN_POSITIVE);
     }
-    let size = n + p + m + links;
+    let size = unknowns + m + links;
     let row_scale = DVector::from_fn(m + links, |i, _| {
-        let norm: f64 = (0..n + p).map(|j| (row(i, j).value * scale[j]).powi(2)).sum();
+        let norm: f64 = (0..unknowns).map(|j| (row(i, j).value * scale[j]).powi(2)).sum();
         if norm > 0.0 { 1.0 / norm.sqrt() } else { 1.0 }
     });
-    let entry = |i: usize, j: usize| match (i < n + p, j < n + p) {
+    let entry = |i: usize, j: usize| match (i < unknowns, j < unknowns) {
         (true, true) => (inertia(i, j), scale[i] * scale[j]),
-        (true, false) => (-row(j - n - p, i), scale[i] * row_scale[j - n - p]),
-        (false, true) => (row(i - n - p, j), row_scale[i - n - p] * scale[j]),
+        (true, false) => (-row(j - unknowns, i), scale[i] * row_scale[j - unknowns]),
+        (false, true) => (row(i - unknowns, j), row_scale[i - unknowns] * scale[j]),
         (false, false) => (zero, 0.0),
     };
-    let right = |i: usize| match i < n + p {
+    let right = |i: usize| match i < unknowns {
         true => (force(i), scale[i]),
-        false => (-bias(i - n - p), row_scale[i - n - p]),
+        false => (-bias(i - unknowns), row_scale[i - unknowns]),
     };
     let matrix = DMatrix::from_fn(size, size, |i, j| entry(i, j).0.value * entry(i, j).1);
     let matrix_size = DMatrix::from_fn(size, size, |i, j| entry(i, j).0.size * entry(i, j).1);
     let vector = DVector::from_fn(size, |i, _| right(i).0.value * right(i).1);
     let vector_size = DVector::from_fn(size, |i, _| right(i).0.size * right(i).1);
 
-    let constraint = matrix.view((n + p, 0), (m + links, n + p)).into_owned();
-    let (rank, _) = conditioned_rank(&constraint);
+    // bodies follow the speeds whatever the rows are: their own links are independent of each other and of all rows
+    let of_bodies = |i: &usize| (m..m + w).contains(i);
+    let of_rows: Vec<usize> = (0..m + links).filter(|i| !of_bodies(i)).collect();
+    let constraint = matrix.view((unknowns, w), (m + links, unknowns - w)).into_owned();
+    let (rank, _) = conditioned_rank(&constraint.select_rows(&of_rows));
     let by_the_state = |i: usize| rows.linear[i] || (given && rows.levels[i] == Level::Velocity);
-    let binding: Vec<usize> = (0..m + links).filter(|&i| i >= m || by_the_state(i)).collect();
+    let binding: Vec<usize> = of_rows.iter().copied().filter(|&i| i >= m || by_the_state(i)).collect();
     let (velocity_rank, _) = conditioned_rank(&constraint.select_rows(&binding));
-    let (solution, condition) = solve_dense(&matrix, &vector, rank == m + links);
+    let (solution, condition) = match rank == of_rows.len() {
+        true if w > 0 => solve_regular(&matrix, &vector),
+        regular => solve_dense(&matrix, &vector, regular),
+    };
     let error = UNIT * condition * (matrix_size.norm() * solution.norm() + vector_size.norm()) / matrix.norm();
 
-    let acceleration = DVector::from_fn(n, |i, _| solution[i] * scale[i]);
+    let acceleration = DVector::from_fn(n, |i, _| solution[w + i] * scale[w + i]);
     let value = dynamics.m.map(|e| e.value);
     let force_value = dynamics.h.map(|e| e.value);
     Motion {
         reaction: value * &acceleration - force_value,
-        multipliers: DVector::from_fn(if links == 0 { m } else { 0 }, |i, _| solution[n + p + i] * row_scale[i]),
-        second_rates: DVector::from_fn(p, |j, _| solution[n + j] * scale[n + j]),
+        multipliers: DVector::from_fn(if partial.is_none() { m } else { 0 }, |i, _| {
+            solution[unknowns + i] * row_scale[i]
+        }),
+        second_rates: DVector::from_fn(p, |j, _| solution[w + n + j] * scale[w + n + j]),
         freedom: n + p - rank,
         speeds: n + p - velocity_rank,
         condition,
-        second_rate_errors: DVector::from_fn(p, |i, _| error * scale[n + i]),
-        acceleration_error: DVector::from_fn(n, |i, _| error * scale[i]),
-        reaction_error: DVector::from_fn(n, |i, _| error / scale[i]),
+        second_rate_errors: DVector::from_fn(p, |i, _| error * scale[w + n + i]),
+        acceleration_error: DVector::from_fn(n, |i, _| error * scale[w + i]),
+        reaction_error: DVector::from_fn(n, |i, _| error / scale[w + i]),
         acceleration,
     }
 }
@@ -159,6 +180,25 @@ fn solve_dense(matrix: &DMatrix<f64>, vector: &DVector<f64>, regular: bool) -> (
         solution += correction;
     }
     (solution, condition)
+}
+
+/// LU with one step of refinement; the condition by the power method on AᵀA and on its inverse.
+fn solve_regular(matrix: &DMatrix<f64>, vector: &DVector<f64>) -> (DVector<f64>, f64) {
+    let transposed = matrix.transpose();
+    let (lu, lu_transposed) = (matrix.clone().lu(), transposed.clone().lu());
+    let once = |right: &DVector<f64>| lu.solve(right).expect("rows of full rank");
+    let back = |right: &DVector<f64>| lu_transposed.solve(right).expect("rows of full rank");
+    let first = once(vector);
+    let solution = &first + once(&(vector - matrix * &first));
+    let start = DVector::from_fn(vector.len(), |i, _| 1.0 + 0.3 * (7 * i + 1) as f64 % 1.7);
+    let (mut large, mut small) = (start.normalize(), start.normalize());
+    let (mut largest, mut inverse) = (1.0_f64, 1.0_f64);
+    for _ in 0..15 {
+        let (grown, shrunk) = (&transposed * (matrix * &large), once(&back(&small)));
+        (largest, inverse) = (grown.norm(), shrunk.norm());
+        (large, small) = (grown / largest, shrunk / inverse);
+    }
+    (solution, (largest * inverse).sqrt())
 }
 
 /// √M_ii; what has no inertia counts as the heaviest that has.

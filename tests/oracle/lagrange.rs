@@ -8,6 +8,7 @@ use super::linear::{along, fixed, seeded};
 use super::number::{Dual, Number};
 use super::system::{Entry, System};
 use nalgebra::{DMatrix, DVector};
+use syn::Expr;
 
 impl System<'_> {
     /// The declared forces on top of others; none are no forces.
@@ -19,6 +20,17 @@ impl System<'_> {
     /// T.
     pub(super) fn kinetic<N: Number>(&self, t: N, x: &[N], v: &[N]) -> N {
         self.moving(t, x, v).value(self.model.kinetic_energy.as_ref().expect("T is given where M is not"))
+    }
+
+    /// The forces of a potential that is declared beside bodies, in the speeds.
+    pub(super) fn conservative(&self, t: Entry, x: &[Entry], a: &DMatrix<Entry>) -> Vec<Entry> {
+        let n = x.len();
+        let slope = |e: &Expr, j: usize| self.scope(Dual::fixed(t), &seeded(x, j)).value(e).rate;
+        let slopes: Vec<Entry> = match &self.model.potential_energy {
+            Some(e) => (0..n).map(|j| slope(e, j)).collect(),
+            None => vec![Entry::zero(); n],
+        };
+        (0..n).map(|i| -(0..n).fold(Entry::zero(), |sum, j| sum + a[(j, i)] * slopes[j])).collect()
     }
 
     /// ∂M/∂t, entry by entry.

@@ -10,6 +10,7 @@
 //!
 //! What a derivation claims (a [`Claim`]) is then held against that solution, see [`check`].
 
+mod bodies;
 mod charts;
 mod check;
 mod claim;
@@ -19,10 +20,14 @@ mod consistency;
 mod declaration;
 mod evaluate;
 mod families;
+mod geometry;
 mod given;
+mod inertia;
 mod kkt;
 mod lagrange;
 mod linear;
+mod loads;
+mod motion;
 mod number;
 mod outputs;
 mod principles;
@@ -32,6 +37,7 @@ mod rows;
 mod statements;
 mod switches;
 mod system;
+mod vectors;
 
 pub use check::check;
 pub use claim::{ChartClaim, Claim, Multiplier};

@@ -5,7 +5,14 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// What an expression can be evaluated over.
 pub trait Number:
-    Copy + Debug + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+    'static
+    + Copy
+    + Debug
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
 {
     /// A number that depends on nothing.
     fn constant(x: f64) -> Self;

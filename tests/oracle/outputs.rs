@@ -37,6 +37,9 @@ impl Compared<'_> {
             let size = values.iter().fold(1.0_f64, |size, v| size.max(v.abs()));
             values.iter().map(|&value| Scaled { value, size }).collect()
         };
+        // what the scope borrows is there before it
+        let named: Vec<String> = claim.speed_names.clone();
+        let reactions = self.named_reactions();
         let (t, x, v) = (Entry::constant(claim.t), lift(&claim.coordinates), speeds(&claim.velocities));
         let rates = known(motion.acceleration.as_slice(), self.acceleration_error().as_slice());
         let coordinates = || system.model.state_coordinates().iter().map(String::as_str);
@@ -49,12 +52,10 @@ impl Compared<'_> {
                 .with_rates(coordinates(), &speeds(&claim.coordinate_rates))
                 .with_second_rates(coordinates(), &second);
         }
-        let named: Vec<String> = claim.speed_names.clone();
         let free = named.iter().map(String::as_str).filter(|name| !system.model.speeds.iter().any(|v| v == name));
         let free: Vec<(&str, f64)> = free.zip(self.free_speeds()).collect();
         let names: Vec<&str> = free.iter().map(|(name, _)| *name).collect();
         let values: Vec<f64> = free.iter().map(|(_, value)| *value).collect();
-        let reactions = self.named_reactions();
         let (constraints, lambda): (Vec<&str>, Vec<Entry>) =
             reactions.iter().map(|(name, value)| (name.as_str(), *value)).unzip();
         let mut scope = scope.with(names, &speeds(&values)).with_reactions(constraints, &lambda);

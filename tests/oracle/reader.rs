@@ -1,8 +1,11 @@
 //! Reading declared models from Rust source text.
 
-use super::declaration::{Declaration, Level};
+use super::declaration::{Constraint, Declaration, Level};
 use super::families::{element, integer};
+use super::number::Number;
 use super::statements;
+use super::system::{System, lift};
+use crate::support::splitmix::SplitMix;
 use std::collections::{BTreeMap, BTreeSet};
 use syn::visit::Visit;
 use syn::{Attribute, Expr, Fields, Item, ItemStruct, Type};
@@ -74,10 +77,60 @@ fn complete(model: &mut Declaration) {
         let further = std::mem::take(&mut configuration.coordinates);
         configuration.coordinates = free.cloned().chain(further).collect();
     }
+    let components = by_components(model);
+    model.constraints = components.iter().map(|(constraint, _)| constraint.clone()).collect();
     let levels: Vec<Level> = model.constraints.iter().map(|c| level(model, &[&c.left, &c.right])).collect();
     for (constraint, level) in model.constraints.iter_mut().zip(levels) {
         constraint.level = level;
     }
+    let kept: Vec<bool> =
+        components.iter().enumerate().map(|(row, (_, component))| !component || !vanishes(model, row)).collect();
+    let mut kept = kept.iter();
+    model.constraints.retain(|_| *kept.next().expect("one for each row"));
+}
+
+/// Every constraint, a vector equation by its three components; each with whether it is one of these.
+fn by_components(model: &Declaration) -> Vec<(Constraint, bool)> {
+    let component = |row: &Constraint, axis: &str| {
+        let frame = &row.expressed;
+        let axis = syn::Ident::new(axis, proc_macro2::Span::call_site());
+        let along = |side: &Expr| match side {
+            Expr::Lit(_) => side.clone(),
+            side => syn::parse_quote!(dot(#side, #frame.#axis)),
+        };
+        Constraint {
+            name: format!("{}_{axis}", row.name),
+            left: along(&row.left),
+            right: along(&row.right),
+            ..row.clone()
+        }
+    };
+    let vector = |e: &Expr| model.geometry.is_vector(e, &model.definitions);
+    let rows = |row: &Constraint| match vector(&row.left) || vector(&row.right) {
+        true => ["x", "y", "z"].map(|axis| (component(row, axis), true)).to_vec(),
+        false => vec![(row.clone(), false)],
+    };
+    model.constraints.iter().flat_map(rows).collect()
+}
+
+/// Whether a row is zero for all parameters and states: at a few random ones.
+fn vanishes(model: &Declaration, row: usize) -> bool {
+    let mut random = SplitMix::new(row as u64);
+    (0..4).all(|_| {
+        let parameters = random.vector(model.parameters.len(), 0.5, 1.5);
+        let system = System { model, parameters, inputs: random.vector(model.inputs.len(), -1.0, 1.0) };
+        let mut point = |n: usize| lift(&random.vector(n, -1.0, 1.0));
+        let (t, x, v, vdot) = (point(1)[0], point(model.coordinates.len()), point(model.n()), point(model.n()));
+        let residual = match model.constraints[row].level {
+            Level::Position => system.position(row, t, &x),
+            Level::Velocity => system.velocity(row, t, &x, &v),
+            Level::Acceleration => {
+                let scope = system.accelerated(t, &x, &v, &vdot);
+                scope.value(&model.constraints[row].left) - scope.value(&model.constraints[row].right)
+            }
+        };
+        residual.value.abs() <= 1e-12 * residual.size
+    })
 }
 
 fn level(model: &Declaration, sides: &[&Expr]) -> Level {
@@ -109,6 +162,17 @@ impl<'a> Visit<'a> for Mentions<'_> {
     fn visit_expr(&mut self, e: &'a Expr) {
         let speed = |name: &String| self.model.speeds.contains(name);
         let rate = statements::rate_of(e);
+        let function = match e {
+            Expr::Call(call) => statements::plain(&call.func).map(|name| (name, call.args.len())),
+            _ => None,
+        };
+        match function.as_ref().map(|(name, count)| (name.as_str(), *count)) {
+            Some(("velocity" | "angular_velocity", _)) => self.velocities = true,
+            Some(("acceleration" | "angular_acceleration", _)) => self.accelerations = true,
+            // of a definition or an expression
+            Some(("dot", 1)) if rate.is_none() => self.velocities = true,
+            _ => {}
+        }
         if statements::second_rate_of(e).is_some() || rate.as_ref().is_some_and(speed) {
             self.accelerations = true;
         } else if rate.is_some() || statements::plain(e).as_ref().is_some_and(speed) {

@@ -2,6 +2,7 @@
 
 use super::declaration::{Chosen, Configuration, Constraint, Declaration, Level};
 use super::families::{Family, Indices, Named, Row, integer, written};
+use super::geometry::NamedRecord;
 use quote::ToTokens;
 use std::collections::BTreeMap;
 use syn::parse::{Parse, ParseStream, Parser};
@@ -33,6 +34,16 @@ pub fn read(model: &mut Declaration, name: &str, attribute: &Attribute) -> Resul
             for family in entries::<Family<NamedRow>>(attribute)? {
                 let row = |row: &NamedRow, indices: &Indices| (row.name.entry(indices), row.row.entries(indices));
                 model.complement.extend(family.members(sizes, &mut { row }));
+            }
+        }
+        "frame" => model.geometry.frames.extend(assignments(list()?)?),
+        "point" => model.geometry.points.extend(assignments(list()?)?),
+        "gravity" => model.geometry.gravity.extend(list()?),
+        "generalized_force" => model.geometry.generalized.extend(assignments(list()?)?),
+        "body" | "particle" | "force" | "torque" | "spring" | "damper" | "armature" => {
+            for family in entries::<Family<NamedRecord>>(attribute)? {
+                let record = |said: &NamedRecord, indices: &Indices| said.record(name, indices);
+                model.geometry.records.extend(family.members(sizes, &mut { record }));
             }
         }
         "define" => model.definitions.extend(assignments(list()?)?),
@@ -100,12 +111,13 @@ pub fn second_rate_of(e: &Expr) -> Option<String> {
     }
 }
 
-/// The first argument of a call of that name.
+/// The argument of a call of that name, where it has one.
 fn argument<'a>(e: &'a Expr, function: &str) -> Option<&'a Expr> {
     let Expr::Call(ExprCall { func, args, .. }) = e else {
         return None;
     };
-    if plain(func)? == function { args.first() } else { None }
+    // `dot` with two arguments is the scalar product
+    if plain(func)? == function && args.len() == 1 { args.first() } else { None }
 }
 
 /// A path of one segment.
@@ -228,10 +240,17 @@ fn inertia(input: ParseStream<'_>, sizes: &Indices) -> Result<Vec<Vec<Option<Exp
 enum Said {
     Equation(Box<(Named, Expr, Expr)>),
     Word(Ident),
+    Expressed(Box<Expr>),
 }
 
 impl Parse for Said {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
+        if input.peek(Ident) && input.peek2(Token![=]) {
+            let word: Ident = input.parse()?;
+            input.parse::<Token![=]>()?;
+            assert_eq!(word, "expressed");
+            return input.parse().map(|frame| Self::Expressed(Box::new(frame)));
+        }
         if input.peek(Ident) && !input.peek2(Token![:]) && !input.peek2(syn::token::Bracket) {
             return input.parse().map(Self::Word);
         }
@@ -250,26 +269,30 @@ fn constraints(families: &[Family<Said>], sizes: &Indices) -> Vec<Constraint> {
     // where the constraints of the last equation begin
     let mut first = 0;
     for family in families {
-        let member = |row: &Said, indices: &Indices| match row {
-            Said::Equation(row) => Some(Constraint {
+        let member = |said: &Said, indices: &Indices| match said {
+            Said::Equation(row) => Ok(Constraint {
                 name: row.0.entry(indices),
                 left: written(&row.1, indices),
                 right: written(&row.2, indices),
                 level: Level::Position,
                 redundant: false,
+                expressed: expression("N"),
             }),
             Said::Word(word) => {
                 assert_eq!(word, "redundant");
-                None
+                Err(None)
             }
+            Said::Expressed(frame) => Err(Some(Box::new(written(frame, indices)))),
         };
-        let members: Option<Vec<Constraint>> = family.members(sizes, &mut { member }).into_iter().collect();
+        let members: std::result::Result<Vec<Constraint>, Option<Box<Expr>>> =
+            family.members(sizes, &mut { member }).into_iter().collect();
         match members {
-            Some(members) => {
+            Ok(members) => {
                 first = rows.len();
                 rows.extend(members);
             }
-            None => rows[first..].iter_mut().for_each(|row| row.redundant = true),
+            Err(None) => rows[first..].iter_mut().for_each(|row| row.redundant = true),
+            Err(Some(frame)) => rows[first..].iter_mut().for_each(|row| row.expressed = (*frame).clone()),
         }
     }
     rows

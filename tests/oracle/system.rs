@@ -1,5 +1,6 @@
 //! The initial system of a declared model at one point: (2.1) to (2.6), by evaluation and dual numbers.
 
+use super::bodies::Bodies;
 use super::declaration::{Declaration, Level};
 use super::evaluate::Scope;
 use super::linear::{along, fixed, seeded, solve};
@@ -33,6 +34,8 @@ pub struct Dynamics {
     pub kinetic: Entry,
     /// V.
     pub potential: Option<Entry>,
+    /// The bodies, where there are any.
+    pub bodies: Option<Bodies>,
 }
 
 /// A number with the size of its terms.
@@ -46,7 +49,7 @@ impl<'a> System<'a> {
 
     pub(super) fn scope<N: Number>(&self, t: N, x: &[N]) -> Scope<'a, N> {
         let lifted = |values: &[f64]| values.iter().map(|&p| N::constant(p)).collect::<Vec<_>>();
-        Scope::new(&self.model.definitions)
+        Scope::new(self.model)
             .with(["t"], &[t])
             .with(self.model.parameters.iter().map(|(name, _)| name.as_str()), &lifted(&self.parameters))
             .with(self.model.inputs.iter().map(String::as_str), &lifted(&self.inputs))
@@ -61,6 +64,7 @@ impl<'a> System<'a> {
         self.scope(t, x)
             .with(self.model.speeds.iter().map(String::as_str), v)
             .with_rates(self.model.coordinates.iter().map(String::as_str), rates)
+            .with_velocities()
     }
 
     /// Everything that an acceleration row may mention; ẍ is the derivative of ẋ = A v + a0 along the motion.
@@ -71,6 +75,7 @@ impl<'a> System<'a> {
         self.moving(t, x, v)
             .with_rates(self.model.speeds.iter().map(String::as_str), vdot)
             .with_second_rates(self.model.coordinates.iter().map(String::as_str), &second)
+            .with_accelerations()
     }
 
     /// ẋ from v (2.1).
@@ -96,7 +101,8 @@ impl<'a> System<'a> {
     /// v from ẋ (2.2).
     pub fn velocities<N: Number>(&self, t: N, x: &[N], xdot: &[N]) -> Vec<N> {
         if let Some(speeds) = &self.model.speeds_by_rates {
-            let scope = self.scope(t, x).with_rates(self.model.coordinates.iter().map(String::as_str), xdot);
+            let rates = self.model.coordinates.iter().map(String::as_str);
+            let scope = self.scope(t, x).with_rates(rates, xdot).with_velocities();
             return speeds.iter().map(|e| scope.value(e)).collect();
         }
         let Some(rates) = &self.model.rates else {
@@ -123,7 +129,7 @@ impl<'a> System<'a> {
         let names: Vec<&str> = configuration.coordinates.iter().map(String::as_str).collect();
         // g may be written in q only; the other initial coordinates are not in scope
         let lifted: Vec<N> = self.parameters.iter().map(|&p| N::constant(p)).collect();
-        let scope = Scope::new(&self.model.definitions)
+        let scope = Scope::new(self.model)
             .with(["t"], &[t])
             .with(self.model.parameters.iter().map(|(name, _)| name.as_str()), &lifted)
             .with(names.iter().copied(), q);
@@ -139,7 +145,7 @@ impl<'a> System<'a> {
         let Some(configuration) = &self.model.configuration else { return Vec::new() };
         let lifted: Vec<N> = self.parameters.iter().map(|&p| N::constant(p)).collect();
         let coordinates = || configuration.coordinates.iter().map(String::as_str);
-        let scope = Scope::new(&self.model.definitions)
+        let scope = Scope::new(self.model)
             .with(["t"], &[t])
             .with(self.model.parameters.iter().map(|(name, _)| name.as_str()), &lifted)
             .with(coordinates(), q)
@@ -196,7 +202,14 @@ impl<'a> System<'a> {
         let scope = self.moving(t, &x, &v);
         let a = DMatrix::from_fn(n, n, |i, j| columns[j][i].rate);
         // with both T and M given, M is a check of T
-        let (m, h, kinetic) = if self.model.kinetic_energy.is_some() {
+        let (m, h, kinetic) = if self.model.geometry.has_bodies() {
+            // M and T beside bodies are checks of them
+            (
+                DMatrix::from_element(n, n, Entry::zero()),
+                self.forces(&scope, self.conservative(t, &x, &a)),
+                Entry::zero(),
+            )
+        } else if self.model.kinetic_energy.is_some() {
             let (m, inertial) = self.lagrange(t, &x, &v, &a);
             (m, self.forces(&scope, inertial), self.kinetic(t, &x, &v))
         } else {
@@ -206,13 +219,16 @@ impl<'a> System<'a> {
             let twice = pairs.fold(Entry::zero(), |sum, pair| sum + pair);
             (m, self.forces(&scope, vec![Entry::zero(); n]), Entry::constant(0.5) * twice)
         };
+        let bodies = self.bodies(t, &x, &v, &scope).map(|bodies| bodies.beside(&m, &h));
+        let potential = self.model.potential_energy.as_ref().map(|e| scope.value(e));
         Dynamics {
             a0: DVector::from_vec(self.rates(t, &x, &still)),
-            potential: self.model.potential_energy.as_ref().map(|e| scope.value(e)),
+            potential: [potential, self.potential(&scope)].into_iter().flatten().reduce(|a, b| a + b),
             a,
-            m,
-            h,
-            kinetic,
+            m: bodies.as_ref().map_or(m, Bodies::reduced_inertia),
+            h: bodies.as_ref().map_or(h, Bodies::reduced_forces),
+            kinetic: bodies.as_ref().map_or(kinetic, |bodies| kinetic + bodies.kinetic()),
+            bodies,
         }
     }
 }

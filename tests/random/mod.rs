@@ -11,11 +11,15 @@ mod expression;
 mod families;
 mod generate;
 mod higher;
+mod mechanism_loads;
+mod mechanism_parts;
+mod mechanisms;
 mod rows;
 mod statements;
 
 pub use crate_text::crate_text;
 pub use generate::{KINDS, RandomModel, generate};
+pub use mechanisms::{MECHANISMS, mechanism};
 
 use std::collections::BTreeMap;
 

@@ -27,6 +27,22 @@ pub mod linkages;
 #[path = "../models/spherical.rs"]
 pub mod spherical;
 
+// Mechanisms from geometry alone.
+#[path = "../models/geometry/arms.rs"]
+pub mod arms;
+#[path = "../models/geometry/bobs.rs"]
+pub mod bobs;
+#[path = "../models/geometry/disc.rs"]
+pub mod disc;
+#[path = "../models/geometry/rods.rs"]
+pub mod rods;
+#[path = "../models/geometry/sleigh.rs"]
+pub mod sleigh;
+#[path = "../models/geometry/top.rs"]
+pub mod top;
+#[path = "../models/geometry/whipple.rs"]
+pub mod whipple;
+
 /// The disk of the example.
 #[path = "../../examples/rolling_disk/models.rs"]
 #[allow(dead_code, missing_docs, reason = "as the example has them")]
@@ -91,6 +107,34 @@ macro_rules! every_model {
                 BeadByEnergy(m, w, g)
                 BeadInFrame(m, w, g)
                 DoublePendulumByEnergy(m1, m2, l1, l2, g);
+            "tests/models/geometry/arms.rs" arms:
+                PumaArm(
+                    g, a2, a3, d3, d4, m2, m3, m4, m5, m6, rx2, ry2, rz2, rx3, ry3, rz3, ry4, rz6, iy1, ix2, iy2, iz2,
+                    ix3, iy3, iz3, ix4, iy4, iz4, ix5, iy5, iz5, ix6, iy6, iz6, motor_inertia
+                )
+                SevenJoints(g);
+            "tests/models/geometry/bobs.rs" bobs:
+                ThreeBobs(m, l, g)
+                TenBobs(m, l, g)
+                TwentyBobs(m, l, g)
+                ThreeTiedBobs(m, l, g);
+            "tests/models/geometry/disc.rs" disc:
+                Disc(m, r, g, d, a)
+                Disk(m, r, j, g);
+            "tests/models/geometry/rods.rs" rods:
+                TwoRods(m, l, g)
+                FiveRods(m, l, g)
+                TenRods(m, l, g)
+                TwentyRods(m, l, g);
+            "tests/models/geometry/sleigh.rs" sleigh:
+                BladedSleigh(m, i, a);
+            "tests/models/geometry/top.rs" top:
+                PivotedTop(m, g, j1, j2, j3, l);
+            "tests/models/geometry/whipple.rs" whipple:
+                Whipple(
+                    g, rr, rf, d1, d2, d3, l1, l2, l3, l4, mr, mb, mh, mf, irx, iry, ibx, iby, ibz, ibxz, ihx, ihy, ihz,
+                    ihxz, ifx, ify
+                );
             "tests/models/kinds.rs" kinds:
                 TripleRod(m, g, l)
                 ConstantSpeed(m, g, c)

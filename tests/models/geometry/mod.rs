@@ -1,0 +1,9 @@
+//! Mechanisms of the literature from geometry alone.
+
+pub mod arms;
+pub mod bobs;
+pub mod disc;
+pub mod rods;
+pub mod sleigh;
+pub mod top;
+pub mod whipple;

@@ -1,0 +1,113 @@
+//! Random mechanisms by geometry through the engine, against the oracle, which has every body in maximal coordinates.
+
+mod claims;
+mod random;
+mod support;
+
+use claims::agreement::agrees;
+use claims::evaluated::{projected, simplified};
+use holonomy_engine::projection::Equations;
+use oracle::Report;
+use random::{counted, mechanism};
+use support::parallel;
+use support::splitmix::SplitMix;
+
+/// How many as the equations come, ...
+const PROJECTED: usize = 500;
+/// ... and how many in the forms in which they are emitted.
+const EMITTED: usize = 60;
+
+/// How often each class must occur among the equations as they come.
+const CLASSES: [(&str, usize); 52] = [
+    ("further forces", 25),
+    ("row of accelerations", 5),
+    ("material point by its frame", 8),
+    ("tree of several bodies", 150),
+    ("5 links", 20),
+    ("axis as a vector", 80),
+    ("frame turned once and for all", 15),
+    ("coordinate in a point", 25),
+    ("absolute or added angles", 8),
+    ("two rotations in a chain", 20),
+    ("three rotations in a chain", 20),
+    ("angle in time", 25),
+    ("free base", 40),
+    ("gravity", 250),
+    ("products of inertia", 100),
+    ("inertia about another point", 80),
+    ("rod", 12),
+    ("particle", 100),
+    ("armature", 100),
+    ("force on a body", 80),
+    ("force with its reaction", 60),
+    ("force in velocities", 60),
+    ("torque in velocities", 60),
+    ("torque from the ground", 20),
+    ("torque with its reaction", 20),
+    ("spring between points", 100),
+    ("spring along a scalar", 60),
+    ("damper between points", 60),
+    ("damper along a scalar", 100),
+    ("generalised force", 100),
+    ("force along a speed", 15),
+    ("V beside bodies", 40),
+    ("inputs", 60),
+    ("outputs", 150),
+    ("speeds of its own", 50),
+    ("angular velocity by components", 30),
+    ("vector row of velocities", 40),
+    ("vector row of positions", 20),
+    ("vector row in a frame", 10),
+    ("vector row in N", 20),
+    ("rolling disk", 8),
+    ("rolling disk with a height", 8),
+    ("height beside rolling", 4),
+    ("rolling ball", 8),
+    ("ground that turns", 3),
+    ("bodies on a wheel", 15),
+    ("loop in the plane", 15),
+    ("loop in space", 15),
+    ("distance row", 5),
+    ("scalar row of vectors", 20),
+    ("scalar row of velocities", 40),
+    ("family in space", 15),
+];
+
+/// The first mechanisms of the series in one form, each with draws of its own; the failures are told together. The classes of all.
+fn all_agree(count: usize, form: impl Fn(&str) -> Result<Equations, String> + Sync) -> Vec<String> {
+    let results = parallel::each(count, |number| {
+        let mechanism = mechanism(7, number);
+        let mut random = SplitMix::new(600 + number as u64);
+        let shown = agrees(&mechanism.source, form(&mechanism.source), 1, &mut random);
+        (mechanism, shown)
+    });
+    let (mut failures, mut found, mut total) = (Vec::new(), Vec::new(), Report::default());
+    for (mechanism, shown) in results {
+        match shown {
+            Ok(mut shown) => {
+                shown.report.worst_in = format!("{} of {}", shown.report.worst_in, mechanism.name);
+                total.add(shown.report);
+                found.extend(mechanism.classes);
+            }
+            Err(failure) => failures.push(format!("{} {failure}\n{}", mechanism.name, mechanism.source)),
+        }
+    }
+    println!("{}{} numbers compared", counted(found.iter().map(String::as_str)), total.compared);
+    println!("largest error {:.1e} of its bound, in {}", total.worst, total.worst_in);
+    assert!(failures.is_empty(), "{} of {count} mechanisms\n{}", failures.len(), failures.join("\n"));
+    found
+}
+
+#[test]
+fn random_mechanisms_as_projected_agree_with_the_oracle() {
+    let found = all_agree(PROJECTED, projected);
+    for (class, least) in CLASSES {
+        let count = found.iter().filter(|found| *found == class).count();
+        assert!(count >= least, "{count} of {class}");
+    }
+}
+
+#[test]
+fn random_mechanisms_as_emitted_agree_with_the_oracle() {
+    all_agree(EMITTED, simplified);
+}
