@@ -124,22 +124,22 @@ fn gradient(s: f64) -> f64 {
     0.6 * s
 }
 
-/// A wind without its derivative, which the equations do not need.
+/// A wind without its derivative, which the equations do not need, and gusts that depend on time alone.
 #[derive(ConstrainedSystem, Clone, Debug)]
 #[coordinates(x)]
 #[inertia(diag(m))]
-#[forces(wind(x) - k*x)]
+#[forces(wind(x) - k*x + wind(t))]
 #[function(wind(s))]
 struct Sail {
     m: f64,
     k: f64,
 }
 
-/// The wind is measured only.
+/// The wind of the place is measured only; that of the time pushes, and needs no derivative.
 #[derive(ConstrainedSystem, Clone, Debug)]
 #[coordinates(x)]
 #[inertia(diag(m))]
-#[forces(0)]
+#[forces(wind(t) - m*x)]
 #[function(wind(s))]
 #[output(shelter = 2*wind(x), place = x)]
 struct Gauge {

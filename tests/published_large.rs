@@ -317,5 +317,20 @@ fn the_bicycle_has_the_published_eigenvalues() {
             let off = distance(&eigenvalues.swap_remove(nearest));
             assert!(off <= 1e-11, "{re} + {im}i at {speed} is off by {off:e}");
         }
+        // The linearisation of the whole has these and otherwise zeros: where the bicycle is and goes, its speed, its pitch.
+        let linear = bicycle.0.linearize(0.0, &bicycle.state(&y), &[]).expect("a steady motion");
+        let mut eigenvalues = linear.eigenvalues().expect("they are found");
+        for published in list(&row["published"]) {
+            let [re, im] = <[f64; 2]>::try_from(numbers(published)).expect("two parts");
+            let distance = |e: &nalgebra::Complex<f64>| (e.re - re).hypot(e.im - im);
+            let nearest = (0..eigenvalues.len())
+                .min_by(|a, b| distance(&eigenvalues[*a]).total_cmp(&distance(&eigenvalues[*b])))
+                .expect("enough of them");
+            let off = distance(&eigenvalues.swap_remove(nearest));
+            assert!(off <= 1e-11, "{re} + {im}i at {speed} is off by {off:e} in the whole");
+        }
+        // The wheels on the ground leave the pitch no choice.
+        assert_eq!((&linear.dependents[..], eigenvalues.len()), (&["theta"][..], names.len() - 5));
+        assert!(eigenvalues.iter().all(|value| value.norm_sqr() < 1e-20), "{speed}: {eigenvalues:?}");
     }
 }

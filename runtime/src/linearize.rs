@@ -246,12 +246,12 @@ impl<M: ConstrainedSystem> Prepared<M> {
         i: &M::Inputs<f64>,
         (name, along): (&'static str, &'static str),
     ) -> Error {
-        let parameters = convert(self.parameters(), |_, value| Orders::given(value));
+        let parameters = convert(self.parameters(), |_, value| Orders::still(value));
         let model: Prepared<M, Orders> = match Prepared::with_parameters(self.system().clone(), parameters) {
             Ok(model) => model,
             Err(error) => return error,
         };
-        let (t, s, i) = (Orders::given(t), convert(s, |_, v| Orders::given(v)), convert(i, |_, v| Orders::given(v)));
+        let (t, s, i) = (Orders::still(t), convert(s, |_, v| Orders::moving(v)), convert(i, |_, v| Orders::moving(v)));
         let (rate, outputs) = (model.derivative(t, &s, &i).0.into(), model.outputs(t, &s, &i).into());
         let states = <M::State<f64> as Vector<f64>>::NAMES.iter().copied().zip(rate.as_ref());
         let outputs = M::MODEL.outputs.iter().map(|output| output.name).zip(outputs.as_ref());

@@ -23,6 +23,8 @@ pub(super) fn eigenvalues(a: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> 
         let part = DMatrix::from_fn(block.len(), block.len(), |i, j| a[(block[i], block[j])]);
         all.extend(of_block(part).ok_or(Error::NoConvergence { of: "the eigenvalues" })?);
     }
+    // No zero is negative.
+    all.iter_mut().for_each(|value| *value += Complex::new(0.0, 0.0));
     all.sort_by(|x, y| y.re.total_cmp(&x.re).then(y.im.total_cmp(&x.im)));
     Ok(all)
 }

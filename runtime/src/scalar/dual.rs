@@ -191,10 +191,15 @@ impl<T: Scalar> Scalar for Dual<T> {
         )
     }
 
+    /// An argument that does not move, time or a parameter, needs no derivative of the function.
     #[inline(always)]
     fn apply(self, orders: &[fn(f64) -> f64]) -> Self {
+        let value = self.value.apply(orders);
+        if self.derivative == T::default() {
+            return Dual::constant(value);
+        }
         let slope = self.value.apply(orders.get(1..).unwrap_or_default());
-        Dual::new(self.value.apply(orders), slope * self.derivative)
+        Dual::new(value, slope * self.derivative)
     }
 
     #[inline(always)]

@@ -4,16 +4,21 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::Scalar;
 
-/// A value, and whether its derivative needs an order that one of the user's functions does not give.
+/// A value, whether it moves, and whether its derivative needs an order that one of the user's functions does not give.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 pub(crate) struct Orders {
     value: f64,
+    moving: bool,
     pub(crate) lacking: bool,
 }
 
 impl Orders {
-    pub(crate) fn given(value: f64) -> Self {
-        Orders { value, lacking: false }
+    pub(crate) fn still(value: f64) -> Self {
+        Orders { value, moving: false, lacking: false }
+    }
+
+    pub(crate) fn moving(value: f64) -> Self {
+        Orders { value, moving: true, lacking: false }
     }
 
     fn with(self, value: f64) -> Self {
@@ -21,7 +26,7 @@ impl Orders {
     }
 
     fn and(self, other: Self, value: f64) -> Self {
-        Orders { value, lacking: self.lacking || other.lacking }
+        Orders { value, moving: self.moving || other.moving, lacking: self.lacking || other.lacking }
     }
 }
 
@@ -56,7 +61,7 @@ impl Scalar for Orders {
     unary!(sqrt, exp, ln, asin, acos, atan, sinh, cosh, tanh, abs, sign);
 
     fn from_f64(x: f64) -> Self {
-        Orders::given(x)
+        Orders::still(x)
     }
     fn to_f64(self) -> f64 {
         self.value
@@ -79,7 +84,7 @@ impl Scalar for Orders {
         }
     }
     fn apply(self, orders: &[fn(f64) -> f64]) -> Self {
-        Orders { value: self.value.apply(orders), lacking: self.lacking || orders.len() < 2 }
+        Orders { lacking: self.lacking || self.moving && orders.len() < 2, ..self.with(self.value.apply(orders)) }
     }
     fn is_finite(self) -> bool {
         self.value.is_finite()
