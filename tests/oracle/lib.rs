@@ -34,6 +34,9 @@ mod principles;
 mod reader;
 mod report;
 mod rows;
+/// The generator of the tests.
+#[path = "../support/splitmix.rs"]
+pub mod splitmix;
 mod statements;
 mod switches;
 mod system;

@@ -2,10 +2,9 @@
 
 use super::declaration::{Constraint, Declaration, Level};
 use super::families::{element, integer};
-use super::number::Number;
 use super::statements;
 use super::system::{System, lift};
-use crate::support::splitmix::SplitMix;
+use crate::splitmix::SplitMix;
 use std::collections::{BTreeMap, BTreeSet};
 use syn::visit::Visit;
 use syn::{Attribute, Expr, Fields, Item, ItemStruct, Type};
