@@ -4,7 +4,7 @@ mod claims;
 mod random;
 mod support;
 
-use claims::agreement::agrees;
+use claims::agreement::{NOT_REACHED, agrees};
 use claims::evaluated::{projected, simplified};
 use holonomy_engine::projection::Equations;
 use oracle::Report;
@@ -81,7 +81,7 @@ fn all_agree(count: usize, form: impl Fn(&str) -> Result<Equations, String> + Sy
         let shown = agrees(&mechanism.source, form(&mechanism.source), 1, &mut random);
         (mechanism, shown)
     });
-    let (mut failures, mut found, mut total) = (Vec::new(), Vec::new(), Report::default());
+    let (mut failures, mut found, mut total, mut unreached) = (Vec::new(), Vec::new(), Report::default(), 0);
     for (mechanism, shown) in results {
         match shown {
             Ok(mut shown) => {
@@ -89,9 +89,12 @@ fn all_agree(count: usize, form: impl Fn(&str) -> Result<Equations, String> + Sy
                 total.add(shown.report);
                 found.extend(mechanism.classes);
             }
+            // In some loops the speeds that are independent at generic points are not on the manifold, anywhere.
+            Err(failure) if failure == NOT_REACHED => unreached += 1,
             Err(failure) => failures.push(format!("{} {failure}\n{}", mechanism.name, mechanism.source)),
         }
     }
+    assert!(unreached <= count / 100, "{unreached} of {count} mechanisms are not reached");
     println!("{}{} numbers compared", counted(found.iter().map(String::as_str)), total.compared);
     println!("largest error {:.1e} of its bound, in {}", total.worst, total.worst_in);
     assert!(failures.is_empty(), "{} of {count} mechanisms\n{}", failures.len(), failures.join("\n"));

@@ -72,7 +72,7 @@ pub fn generate(seed: u64, number: usize) -> RandomModel {
 }
 
 /// The statements, those about the functions of the user's that they use in front.
-fn with_functions(statements: String) -> String {
+pub fn with_functions(statements: String) -> String {
     let used = ["wave", "bump"].into_iter().filter(|name| statements.contains(&format!("{name}(")));
     let declared = used.map(|f| format!("#[function({f}(s), derivatives = [{f}_1, {f}_2, {f}_3])]\n"));
     declared.collect::<String>() + &statements

@@ -5,6 +5,7 @@
 
 use super::expression::Writer;
 use super::generate::RandomModel;
+use super::generate::with_functions;
 use crate::support::splitmix::SplitMix;
 
 /// The kinds of mechanisms, in turn.
@@ -30,7 +31,7 @@ pub fn mechanism(seed: u64, number: usize) -> RandomModel {
     let kind = number % MECHANISMS.len();
     let mut tree = Tree::new(Writer { random, parameters: parameters.clone() }, MECHANISMS[kind]);
     tree.grow();
-    let statements = tree.statements();
+    let statements = with_functions(tree.statements());
     let name = format!("Mechanism{number}");
     let field = |(p, value): (&String, &String)| format!("    #[nominal({value})]\n    pub {p}: f64,\n");
     let fields: String = parameters.iter().zip(&values).map(field).collect();

@@ -352,7 +352,7 @@ fn mistakes_are_told() {
         "`a` is a coordinate, but the masses",
         "or one of `rod(m, l, x)`",
         "expected an axis of the body's frame",
-        "`body` has no `length`",
+        "`body` takes `frame`, `center`, `mass`, `inertia`, `about`, not `length`",
         "expected a vector such as",
         "`pull` is a force; expected a body or a frame",
         "`coil` takes either `of` or `from` and `to`",

@@ -71,6 +71,7 @@ pub struct TwentyBobs {
 #[particle(bob[i] = { at: P[i], mass: m } for i in 0..n)]
 #[gravity(-g*N.y)]
 #[constraint(link[0]: norm(P[0]) == l, link[i]: norm(P[i] - P[i - 1]) == l for i in 1..n)]
+#[independent(dot(x[i]) for i in 0..n)]
 #[start(x[0] = 0.1, x[1] = 0.2, x[2] = 0.3, y[0] = -0.17, y[1] = -0.34, y[2] = -0.51)]
 pub struct ThreeTiedBobs {
     #[nominal(0.5)]

@@ -202,7 +202,7 @@ pub(super) fn element(kind: ElementKind, entry: &Entry, diagnostics: &mut Diagno
         if !form.keys.contains(&text.as_str()) {
             let hint = did_you_mean(nearest(&text, form.keys.iter().copied()));
             let known: Vec<String> = form.keys.iter().map(|key| format!("`{key}`")).collect();
-            diagnostics.report_local(&key, messages::element_key(&text, form.statement, hint, known.join(", ")));
+            diagnostics.report_local(&key, messages::element_key(&text, form.statement, known.join(", "), hint));
             continue;
         }
         if seen.contains(&text) {

@@ -5,7 +5,7 @@ use crate::model::context::Context;
 use crate::model::functions::wrong_number_of_arguments;
 use crate::model::lower::{Value, Vocabulary};
 use crate::model::names::{Meaning, Mentions};
-use crate::syntax::{Diagnostics, Term, did_you_mean, messages, nearest};
+use crate::syntax::{Diagnostics, ElementKind, Term, did_you_mean, messages, nearest};
 use proc_macro2::Span;
 
 /// The functions of vectors and of points, with their numbers of arguments.
@@ -205,8 +205,10 @@ impl Vocabulary<'_> {
         if frame == 0 || !point_needed {
             return Some(Rigid { frame, center: 0, mentions });
         }
-        let of_frame: Vec<usize> =
-            (0..bodies.len()).filter(|i| bodies[*i].is_some_and(|rigid| rigid.frame == frame)).collect();
+        // A particle has no axes of its own: it is meant only by its name.
+        let declared = self.declarations.geometry.bodies().enumerate();
+        let rigid = declared.filter(|(_, body)| body.kind == ElementKind::Body).map(|(i, _)| i);
+        let of_frame: Vec<usize> = rigid.filter(|i| bodies[*i].is_some_and(|rigid| rigid.frame == frame)).collect();
         match of_frame.as_slice() {
             [only] => bodies[*only],
             several => {

@@ -6,8 +6,8 @@ use std::fmt::Display;
 messages! {
     element_form(statement, form) =
         "expected `{statement}(name = {{ {form} }})`";
-    element_key(key, statement, did_you_mean, known) =
-        "`{statement}` has no `{key}`{did_you_mean}; it takes {known}";
+    element_key(key, statement, known, did_you_mean) =
+        "`{statement}` takes {known}, not `{key}`{did_you_mean}";
     element_key_twice(key) =
         "`{key}` is given twice";
     element_key_missing(key, name) =
