@@ -228,7 +228,7 @@ impl Vocabulary<'_> {
         let (graph, geometry) = (&mut self.graph, &self.geometry);
         let center = Vector { from: rigid.center, parts: Vec::new() };
         let back = center.negative(graph, geometry);
-        let arm = position.plus(&back, graph, geometry).from_origin(graph, geometry);
+        let arm = position.plus(&back, graph, geometry).flattened(graph, geometry);
         let omega = Vector::along(rigid.frame, geometry.frames[rigid.frame].omega);
         let carried = arm.cross(&omega, graph, geometry).negative(graph, geometry);
         let velocity = center.rate(&motion, graph, geometry);

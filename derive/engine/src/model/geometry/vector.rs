@@ -38,13 +38,13 @@ impl Vector {
     pub fn plus(&self, other: &Vector, graph: &mut Graph, geometry: &Geometry) -> Vector {
         // One of two positions stays a step from a known place.
         let (first, second) = if self.from == 0 { (other, self) } else { (self, other) };
-        let second = second.from_origin(graph, geometry);
+        let second = second.flattened(graph, geometry);
         let sum = Vector::of_parts(graph, first.parts.iter().chain(&second.parts).copied().collect::<Vec<_>>());
         Vector { from: first.from, ..sum }
     }
 
     pub fn times(&self, scalar: Expr, graph: &mut Graph, geometry: &Geometry) -> Vector {
-        let free = self.from_origin(graph, geometry);
+        let free = self.flattened(graph, geometry);
         let parts: Vec<(usize, Triple)> =
             free.parts.iter().map(|(frame, components)| (*frame, graph.times(scalar, components))).collect();
         Vector::of_parts(graph, parts)
@@ -56,7 +56,7 @@ impl Vector {
     }
 
     /// The same with all parts from the origin.
-    pub fn from_origin(&self, graph: &mut Graph, geometry: &Geometry) -> Vector {
+    pub fn flattened(&self, graph: &mut Graph, geometry: &Geometry) -> Vector {
         if self.from == 0 {
             return self.clone();
         }
@@ -72,7 +72,7 @@ impl Vector {
 
     /// Components in the axes of one frame.
     pub fn expressed(&self, frame: usize, graph: &mut Graph, geometry: &Geometry) -> Triple {
-        let free = self.from_origin(graph, geometry);
+        let free = self.flattened(graph, geometry);
         let frames = &geometry.frames;
         let mut at: Vec<Option<Triple>> = vec![None; frames.len()];
         for (of, components) in &free.parts {
@@ -99,7 +99,7 @@ impl Vector {
     }
 
     pub fn dot(&self, other: &Vector, graph: &mut Graph, geometry: &Geometry) -> Expr {
-        let (a, b) = (self.from_origin(graph, geometry), other.from_origin(graph, geometry));
+        let (a, b) = (self.flattened(graph, geometry), other.flattened(graph, geometry));
         let (few, many) = if a.parts.len() <= b.parts.len() { (&a, &b) } else { (&b, &a) };
         let terms: Vec<Expr> = few
             .parts
@@ -113,7 +113,7 @@ impl Vector {
     }
 
     pub fn cross(&self, other: &Vector, graph: &mut Graph, geometry: &Geometry) -> Vector {
-        let (a, b) = (self.from_origin(graph, geometry), other.from_origin(graph, geometry));
+        let (a, b) = (self.flattened(graph, geometry), other.flattened(graph, geometry));
         let parts: Vec<(usize, Triple)> = a
             .parts
             .iter()
@@ -133,7 +133,7 @@ impl Vector {
 
     /// The rate in the inertial frame: that of the components, and ω × for each frame. `motion` gives the rates of symbols.
     pub fn rate(&self, motion: &[(Symbol, Expr)], graph: &mut Graph, geometry: &Geometry) -> Vector {
-        let free = self.from_origin(graph, geometry);
+        let free = self.flattened(graph, geometry);
         let parts: Vec<(usize, Triple)> = free
             .parts
             .iter()
