@@ -64,9 +64,12 @@ fn files() -> std::io::Result<Vec<PathBuf>> {
     }
     let top = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut files = vec![top.join("examples/rolling_disk/models.rs")];
-    for entry in std::fs::read_dir(top.join("tests/models"))? {
-        files.push(entry?.path());
+    for folder in ["tests/models", "tests/models/geometry"] {
+        for entry in std::fs::read_dir(top.join(folder))? {
+            files.push(entry?.path());
+        }
     }
+    files.retain(|path| path.is_file());
     files.sort();
     Ok(files)
 }
