@@ -2,9 +2,9 @@
 
 use super::context::Context;
 use super::linear;
-use super::lower::Vocabulary;
 use super::names::Meaning;
 use super::system::{ComplementRow, Configuration, Independent, IndependentSpeed, Kinematics};
+use super::vocabulary::Vocabulary;
 use crate::symbolic::{Expr, Graph, Kind, Symbol};
 use crate::syntax::{Diagnostics, IndependentEntry, Place, Quantity, messages};
 

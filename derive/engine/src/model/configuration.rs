@@ -2,9 +2,9 @@
 
 use super::context::Context;
 use super::kinematics::{self, Subject};
-use super::lower::Vocabulary;
 use super::names::Meaning;
 use super::system::{Configuration, Kinematics};
+use super::vocabulary::Vocabulary;
 use crate::symbolic::{Expr, Kind, Matrix, Symbol};
 use crate::syntax::{Configuration as Written, Diagnostics, Term, did_you_mean, messages, nearest};
 

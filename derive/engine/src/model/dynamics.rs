@@ -4,7 +4,7 @@ use proc_macro2::Span;
 
 use super::context::Context;
 use super::linear;
-use super::lower::Vocabulary;
+use super::vocabulary::Vocabulary;
 use crate::symbolic::{Expr, Matrix, Symbol};
 use crate::syntax::{Diagnostics, Expression, Inertia, InertiaEntry, InertiaForm, List, messages};
 

@@ -3,8 +3,8 @@
 use proc_macro2::Span;
 
 use super::geometry::VECTOR_FUNCTIONS;
-use super::lower::Vocabulary;
 use super::names::Meaning;
+use super::vocabulary::Vocabulary;
 use crate::symbolic::{Expr, Function, Rational};
 use crate::syntax::{Diagnostics, did_you_mean, messages, nearest};
 

@@ -5,9 +5,9 @@ use proc_macro2::Span;
 use super::context::Context;
 use super::inverse::{self, Dependence, Inverse};
 use super::linear::{self, Linear};
-use super::lower::Vocabulary;
 use super::names::Meaning;
 use super::system::Kinematics;
+use super::vocabulary::Vocabulary;
 use crate::symbolic::{Expr, Graph, Matrix, Symbol};
 use crate::syntax::{Diagnostics, Expression, Quantity, did_you_mean, messages, nearest};
 

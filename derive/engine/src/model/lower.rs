@@ -5,137 +5,14 @@ use quote::ToTokens;
 
 use super::context::Context;
 use super::functions::Call;
-use super::geometry::{Geometry, Released, VECTOR_FUNCTIONS, Vector, VectorCall, names_a_body};
-use super::names::{Meaning, Mentions, Names};
-use crate::symbolic::{Expr, Function, Graph, Kind, Rational, Symbol};
-use crate::syntax::{Comparison, Declarations, Diagnostics, Expression, Operator, Term, messages};
+use super::geometry::{VECTOR_FUNCTIONS, Vector, VectorCall, names_a_body};
+use super::names::{Meaning, Mentions};
+use super::value::{Lowered, Value, Valued};
+use super::vocabulary::Vocabulary;
+use crate::symbolic::{Expr, Rational, Symbol};
+use crate::syntax::{Comparison, Diagnostics, Expression, Operator, Term, messages};
 
-/// An expression of the graph and what it mentions.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Lowered {
-    pub expr: Expr,
-    pub mentions: Mentions,
-}
-
-/// The symbols of a model, by their names.
-pub(super) struct Vocabulary<'a> {
-    pub declarations: &'a Declarations,
-    pub graph: Graph,
-    pub names: Names,
-    pub time: Symbol,
-    /// One for each field; only scalar ones are ever used.
-    pub fields: Vec<Symbol>,
-    /// Which fields some expression mentions.
-    pub used: Vec<bool>,
-    pub coordinates: Vec<Symbol>,
-    pub further: Vec<Symbol>,
-    pub speeds: Vec<Symbol>,
-    /// The rates of the initial coordinates; the speeds themselves where these have no names.
-    pub rates: Vec<Symbol>,
-    /// The rates of the speeds.
-    pub accelerations: Vec<Symbol>,
-    /// The second rates of the initial coordinates; the rates of the speeds themselves where these have no names.
-    pub second_rates: Vec<Symbol>,
-    /// The rates of `further`; those that nothing has mentioned come with the configuration.
-    pub further_rates: Vec<Option<Symbol>>,
-    /// The quasi-velocities of the configuration.
-    pub quasi: Vec<Symbol>,
-    /// The independent speeds of `velocities(of(..))`.
-    pub free: Vec<Symbol>,
-    /// The combinations of speeds of `independent(s = ..)`, through all lists.
-    pub combinations: Vec<Symbol>,
-    /// The second rates of `further`, where something has mentioned them.
-    pub further_accelerations: Vec<Option<Symbol>>,
-    /// The rates of the quasi-velocities, where something has mentioned them.
-    pub quasi_rates: Vec<Option<Symbol>>,
-    pub inputs: Vec<Symbol>,
-    /// The reactions that are mentioned, by the names of their rows, and where they are first.
-    pub reactions: Vec<(String, Symbol, Span)>,
-    /// The outputs that are lowered so far; without a value where that failed.
-    pub outputs: Vec<(String, Option<Lowered>)>,
-    /// The functions of the user's.
-    pub functions: Vec<Function>,
-    /// `None` before a define is lowered, and where that failed.
-    pub defines: Vec<Option<Valued>>,
-    /// Frames, points and bodies.
-    pub geometry: Geometry,
-    /// What is released, in the order of the model's releases.
-    pub released: Vec<Released>,
-    /// The generalised forces on rates that are no speeds: the coordinate and the force.
-    pub forces_on_rates: Vec<(usize, Expr)>,
-}
-
-impl<'a> Vocabulary<'a> {
-    pub fn new(declarations: &'a Declarations, names: Names) -> Self {
-        let mut graph = Graph::new();
-        let time = graph.symbol("t", Kind::Time);
-        let mut symbols =
-            |names: Vec<String>, kind| -> Vec<Symbol> { names.iter().map(|name| graph.symbol(name, kind)).collect() };
-        let of = |names: &[crate::syntax::Name]| names.iter().map(|name| name.ident.to_string()).collect::<Vec<_>>();
-        let coordinate_names = of(&declarations.coordinates);
-        let rate_names = |format: fn(&String) -> String| coordinate_names.iter().map(format).collect::<Vec<_>>();
-        let fields = symbols(declarations.fields.iter().map(|f| f.ident.to_string()).collect(), Kind::Parameter);
-        let coordinates = symbols(coordinate_names.clone(), Kind::Coordinate);
-        let further = match &declarations.configuration {
-            Some(configuration) => symbols(of(&configuration.further), Kind::Coordinate),
-            None => Vec::new(),
-        };
-        let second_rates = symbols(rate_names(|x| format!("ddot({x})")), Kind::Speed);
-        let (speeds, rates, accelerations) = match &declarations.speeds {
-            Some(speeds) => {
-                let names = of(&speeds.names);
-                let accelerations = names.iter().map(|v| format!("dot({v})")).collect();
-                let speeds = symbols(names, Kind::Speed);
-                let rates = symbols(rate_names(|x| format!("dot({x})")), Kind::Speed);
-                (speeds, rates, symbols(accelerations, Kind::Speed))
-            }
-            None => {
-                let speeds = symbols(rate_names(|x| format!("dot_{x}")), Kind::Speed);
-                (speeds.clone(), speeds, second_rates.clone())
-            }
-        };
-        let inputs = symbols(of(&declarations.inputs), Kind::Input);
-        let quasi = declarations.configuration.as_ref().map_or(Vec::new(), |c| symbols(of(&c.speeds), Kind::Speed));
-        let free = declarations.velocities.as_ref().map_or(Vec::new(), |v| symbols(of(&v.further), Kind::Speed));
-        let combined = declarations.independent.iter().flat_map(|list| list.combinations());
-        let combinations = symbols(combined.map(|(name, _)| name.ident.to_string()).collect(), Kind::Speed);
-        let functions = declarations.functions.iter().map(|function| {
-            let names: Vec<String> = function.orders.iter().map(last_name).collect();
-            graph.give(&names)
-        });
-        let functions = functions.collect();
-        let geometry = Geometry::new(&graph, declarations);
-        let released = declarations.geometry.releases().map(|release| Released::new(release, &mut graph)).collect();
-        Vocabulary {
-            declarations,
-            graph,
-            names,
-            time,
-            used: vec![false; fields.len()],
-            fields,
-            coordinates,
-            further_rates: vec![None; further.len()],
-            further_accelerations: vec![None; further.len()],
-            quasi_rates: vec![None; quasi.len()],
-            further,
-            speeds,
-            rates,
-            accelerations,
-            second_rates,
-            quasi,
-            free,
-            combinations,
-            inputs,
-            reactions: Vec::new(),
-            outputs: Vec::new(),
-            functions,
-            defines: vec![None; declarations.defines.len()],
-            geometry,
-            released,
-            forces_on_rates: Vec::new(),
-        }
-    }
-
+impl Vocabulary<'_> {
     /// A scalar in the graph. `None` where something in it was reported, now or before.
     pub fn lower(
         &mut self,
@@ -321,51 +198,6 @@ impl<'a> Vocabulary<'a> {
         Some(Valued { value: values.pop()??, mentions })
     }
 
-    /// An operation of which one side at least is a vector.
-    fn of_vectors(
-        &mut self,
-        operator: Operator,
-        left: Value,
-        right: Value,
-        span: Span,
-        diagnostics: &mut Diagnostics,
-    ) -> Option<Value> {
-        let (graph, geometry) = (&mut self.graph, &self.geometry);
-        let message = match (operator, left, right) {
-            (Operator::Add, Value::Vector(a), Value::Vector(b)) => {
-                return Some(Value::Vector(a.plus(&b, graph, geometry)));
-            }
-            (Operator::Subtract, Value::Vector(a), Value::Vector(b)) => {
-                let back = b.negative(graph, geometry);
-                return Some(Value::Vector(a.plus(&back, graph, geometry)));
-            }
-            (Operator::Multiply, Value::Vector(_), Value::Vector(_)) => messages::vector_times_vector(),
-            (Operator::Multiply, left, right) => {
-                let (vector, scalar) = match (left, right) {
-                    (Value::Vector(vector), scalar) => (vector, scalar),
-                    (scalar, Value::Vector(vector)) => (vector, scalar),
-                    _ => return None,
-                };
-                let scalar = scalar.finish(graph);
-                return Some(Value::Vector(vector.times(scalar, graph, geometry)));
-            }
-            (Operator::Divide, Value::Vector(vector), scalar) if !matches!(scalar, Value::Vector(_)) => {
-                let scalar = scalar.finish(graph);
-                if graph.vanishes(scalar) {
-                    messages::division_by_zero()
-                } else {
-                    let one = graph.one();
-                    let scale = graph.div(one, scalar);
-                    return Some(Value::Vector(vector.times(scale, graph, geometry)));
-                }
-            }
-            (Operator::Divide, ..) => messages::division_by_vector(),
-            (Operator::Add | Operator::Subtract, ..) => messages::vector_plus_scalar(),
-        };
-        diagnostics.report(span, message);
-        None
-    }
-
     /// `if left < right { then } else { other }`, and the same with `<=`, as a selection by the sign of a difference.
     fn choose(&mut self, comparison: Comparison, [left, right]: [Expr; 2], [then, other]: [Expr; 2]) -> Expr {
         let graph = &mut self.graph;
@@ -466,11 +298,6 @@ impl<'a> Vocabulary<'a> {
     }
 }
 
-/// The last segment of a path.
-fn last_name(path: &syn::Path) -> String {
-    path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default()
-}
-
 /// Functions that take the name of a coordinate or of a speed.
 pub(super) fn named_function(function: &str) -> bool {
     matches!(function, "dot" | "ddot")
@@ -489,55 +316,4 @@ fn is_vector_function(function: &str, arguments: usize) -> bool {
 /// Every term but the last is an operand exactly once.
 fn take(values: &mut [Option<Value>], at: usize) -> Option<Value> {
     values[at].take()
-}
-
-/// A sum is kept open until something else is done with it, so that a long one becomes one node.
-#[derive(Clone, Debug)]
-pub(super) enum Value {
-    Expr(Expr),
-    Sum(Vec<(Rational, Expr)>),
-    Vector(Vector),
-}
-
-/// A scalar or a vector, and what it mentions.
-#[derive(Clone, Debug)]
-pub(super) struct Valued {
-    pub value: Value,
-    pub mentions: Mentions,
-}
-
-impl From<Lowered> for Valued {
-    fn from(lowered: Lowered) -> Self {
-        Valued { value: Value::Expr(lowered.expr), mentions: lowered.mentions }
-    }
-}
-
-impl Value {
-    fn terms(self) -> Vec<(Rational, Expr)> {
-        match self {
-            Value::Expr(expr) => vec![(Rational::ONE, expr)],
-            Value::Sum(terms) => terms,
-            // Operations with vectors are apart.
-            Value::Vector(_) => Vec::new(),
-        }
-    }
-
-    fn plus(self, other: Value) -> Value {
-        let mut terms = self.terms();
-        terms.extend(other.terms());
-        Value::Sum(terms)
-    }
-
-    fn scaled(self, factor: Rational) -> Value {
-        let mut terms = self.terms();
-        terms.iter_mut().for_each(|(coefficient, _)| *coefficient = coefficient.mul(&factor));
-        Value::Sum(terms)
-    }
-
-    pub fn finish(self, graph: &mut Graph) -> Expr {
-        match self {
-            Value::Expr(expr) => expr,
-            sum => graph.linear(Rational::ZERO, &sum.terms()),
-        }
-    }
 }

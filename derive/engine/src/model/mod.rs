@@ -5,6 +5,8 @@
 //! | `names` | one namespace, and what an expression mentions |
 //! | `functions` | the functions of the language |
 //! | `context` | what may occur where |
+//! | `vocabulary` | the symbols of a model, and what is lowered so far |
+//! | `value` | scalars and vectors |
 //! | `lower` | expressions as written become expressions of the graph |
 //! | `named` | rates and reactions, which take a name and not its value |
 //! | `geometry` | frames, points and bodies |
@@ -40,7 +42,9 @@ mod rows;
 mod system;
 #[cfg(test)]
 mod tests;
+mod value;
 mod velocities;
+mod vocabulary;
 
 pub use mechanism::Mechanism;
 pub use system::{
@@ -51,8 +55,8 @@ pub use system::{
 use crate::symbolic::{Expr, Matrix, Symbol};
 use crate::syntax::{Declarations, Diagnostics, Place, messages};
 use context::Context;
-use lower::Vocabulary;
 use names::Names;
+use vocabulary::Vocabulary;
 
 /// Builds the initial system of a model.
 ///

@@ -4,8 +4,10 @@ use proc_macro2::Span;
 
 use super::context::Context;
 use super::functions::wrong_number_of_arguments;
-use super::lower::{Lowered, Vocabulary, named_function};
+use super::lower::named_function;
 use super::names::{Meaning, Mentions};
+use super::value::Lowered;
+use super::vocabulary::Vocabulary;
 use crate::symbolic::{Kind, Symbol};
 use crate::syntax::{AXES, Diagnostics, Term, messages};
 

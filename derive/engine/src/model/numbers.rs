@@ -1,8 +1,8 @@
 //! `start` and `nominal`: numbers by which choices are judged. They never enter emitted arithmetic.
 
 use super::context::Context;
-use super::lower::Vocabulary;
 use super::names::Meaning;
+use super::vocabulary::Vocabulary;
 use crate::symbolic::Symbol;
 use crate::syntax::{Diagnostics, Expression, messages};
 

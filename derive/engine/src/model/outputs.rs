@@ -3,10 +3,10 @@
 use proc_macro2::Span;
 
 use super::context::Context;
-use super::lower::Vocabulary;
 use super::names::{Mentions, reserved};
 use super::rows::second_rates;
 use super::system::{Output, Outputs, Reaction};
+use super::vocabulary::Vocabulary;
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::{Diagnostics, Term, messages};
 
@@ -34,7 +34,7 @@ pub(super) fn lower(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnosti
 /// The outputs over x, v, v̇, the symbols of a configuration, inputs and t; `rates` replaces `dot(x)` by A v + a0, and
 /// `ddot(x)` follows by differentiation.
 pub(super) fn finish(rates: &[(Symbol, Expr)], vocabulary: &mut Vocabulary<'_>) -> Outputs {
-    let accelerations = |(_, lowered): &(String, Option<super::lower::Lowered>)| {
+    let accelerations = |(_, lowered): &(String, Option<super::value::Lowered>)| {
         lowered.is_some_and(|lowered| lowered.mentions.intersects(Mentions::ACCELERATIONS))
     };
     let second = match vocabulary.outputs.iter().any(accelerations) {

@@ -4,9 +4,9 @@ use super::context::Context;
 use super::geometry::Released;
 use super::geometry::equations::sides;
 use super::linear;
-use super::lower::Vocabulary;
 use super::names::Mentions;
 use super::system::{Row, RowKind};
+use super::vocabulary::Vocabulary;
 use crate::symbolic::{Expr, Graph, Symbol};
 use crate::syntax::{Constraint, Diagnostics, messages};
 

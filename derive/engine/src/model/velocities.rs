@@ -5,9 +5,9 @@
 
 use super::configuration::in_generalised;
 use super::context::Context;
-use super::lower::Vocabulary;
 use super::names::Meaning;
 use super::system::{Configuration, Velocities};
+use super::vocabulary::Vocabulary;
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::{Diagnostics, Quantity, messages};
 

@@ -76,7 +76,7 @@ impl Graph {
         turned
     }
 
-    /// The rotation by an angle about a unit axis (Rodrigues): cos 1 + sin [n]× + (1 - cos) n nᵀ.
+    /// The rotation by an angle about a unit axis (Rodrigues): cos 1 + sin n× + (1 - cos) n nᵀ.
     pub fn rotation(&mut self, axis: &Triple, angle: Expr) -> Rotation {
         let (sin, cos) = (self.sin(angle), self.cos(angle));
         let one = self.one();

@@ -1,16 +1,15 @@
 //! Bodies and what acts on them, at the nodes of a tree.
 
+use super::possible;
+use super::shapes::{inertia, point_tensor};
 use super::tree::Tree;
 use super::{Rigid, Vector};
 use crate::model::context::Context;
-use crate::model::dynamics;
-use crate::model::lower::Vocabulary;
 use crate::model::mechanism::{Line, LineKind, Load, Mass, Mechanism, Release};
 use crate::model::names::{Meaning, Mentions};
-use crate::symbolic::{Expr, Graph, Rational, Rotation, Triple};
-use crate::syntax::{
-    AXES, BodyInertia, Diagnostics, Element, ElementKind, Expression, Term, did_you_mean, messages, nearest,
-};
+use crate::model::vocabulary::Vocabulary;
+use crate::symbolic::Expr;
+use crate::syntax::{Diagnostics, Element, ElementKind, Expression, Term, did_you_mean, messages, nearest};
 
 /// The mechanism, rates as written; `None` without bodies, and where something was reported.
 pub(in crate::model) fn mechanism(vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
@@ -24,7 +23,7 @@ pub(in crate::model) fn mechanism(vocabulary: &mut Vocabulary<'_>, diagnostics: 
             ElementKind::Particle | ElementKind::Body => {
                 let rigid = vocabulary.geometry.named_bodies[bodies];
                 bodies += 1;
-                mass(element, rigid, &mut tree, vocabulary, diagnostics).map(|mass| masses.push(mass))
+                mass(element, rigid, &mut tree, vocabulary, diagnostics).map(|mass| masses.push((element, mass)))
             }
             ElementKind::Force => force(element, &mut tree, vocabulary, diagnostics).map(|found| loads.extend(found)),
             ElementKind::Torque => torque(element, &mut tree, vocabulary, diagnostics).map(|found| loads.extend(found)),
@@ -45,6 +44,8 @@ pub(in crate::model) fn mechanism(vocabulary: &mut Vocabulary<'_>, diagnostics: 
         None => None,
     };
     let generalized = generalized?;
+    possible::check(&masses, vocabulary, diagnostics);
+    let masses = masses.into_iter().map(|(_, mass)| mass).collect();
     let releases = geometry.releases().zip(&vocabulary.released).map(|(release, released)| Release {
         name: release.name.to_string(),
         coordinate: released.coordinate,
@@ -96,111 +97,6 @@ fn mass(
     };
     let node = tree.node(rigid.center, rigid.frame, vocabulary);
     Some(Mass { node, mass, inertia })
-}
-
-/// m (r² 1 - r rᵀ)
-fn point_tensor(graph: &mut Graph, mass: Expr, arm: &Triple) -> Rotation {
-    let square = graph.dot(arm, arm);
-    std::array::from_fn(|i| {
-        std::array::from_fn(|j| {
-            let product = graph.mul(arm[i], arm[j]);
-            let entry = if i == j { graph.sub(square, product) } else { graph.neg(product) };
-            graph.mul(mass, entry)
-        })
-    })
-}
-
-fn inertia(given: &BodyInertia, vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnostics) -> Option<Rotation> {
-    match given {
-        BodyInertia::Matrix(written) => {
-            let matrix = dynamics::matrix(written, (3, "axis", "axes"), Context::BODY, vocabulary, diagnostics)?;
-            Some(std::array::from_fn(|i| std::array::from_fn(|j| matrix.get(i, j))))
-        }
-        BodyInertia::Shape(written) => shape(written, vocabulary, diagnostics),
-    }
-}
-
-/// The shapes: their names, numbers of measures, and whether an axis follows.
-const SHAPES: [(&str, usize, bool); 6] = [
-    ("rod", 2, true),
-    ("disk", 2, true),
-    ("cylinder", 3, true),
-    ("sphere", 2, false),
-    ("cuboid", 4, false),
-    ("planar", 1, false),
-];
-
-/// The inertia of a shape about its centre of mass. Textbook: a slender rod has m l²/12 across, a thin disk m r²/2 about its axis
-/// and half of it across, a cylinder m (3 r² + h²)/12 across, a sphere 2 m r²/5, a cuboid m (b² + c²)/12.
-fn shape(written: &Expression, vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnostics) -> Option<Rotation> {
-    let called = match written.terms().last() {
-        Some((Term::Call(function, arguments), span)) => Some((function.as_str(), arguments.clone(), *span)),
-        Some((Term::Hole, _)) => return None,
-        _ => None,
-    };
-    let found = called.as_ref().and_then(|(function, ..)| SHAPES.iter().find(|(name, ..)| name == function));
-    let (Some((_, arguments, span)), Some((name, count, turned))) = (called, found) else {
-        diagnostics.report(written.place(), messages::body_inertia_form());
-        return None;
-    };
-    let expected = count + usize::from(*turned);
-    if arguments.len() != expected {
-        let message = crate::model::functions::wrong_number_of_arguments(name, expected, arguments.len());
-        diagnostics.report(span, message);
-        return None;
-    }
-    let axis = match turned {
-        true => {
-            let (term, place) = &written.terms()[arguments[*count]];
-            let axis = match term {
-                Term::Name(name) => AXES.iter().position(|axis| name == axis),
-                _ => None,
-            };
-            if axis.is_none() {
-                diagnostics.report(*place, messages::body_axis());
-            }
-            axis
-        }
-        false => Some(2),
-    };
-    let measures: Vec<Option<Expr>> = arguments[..*count]
-        .iter()
-        .map(|at| vocabulary.lower(&written.part(*at), Context::BODY, diagnostics).map(|lowered| lowered.expr))
-        .collect();
-    let measures: Vec<Expr> = measures.into_iter().collect::<Option<_>>()?;
-    let axis = axis?;
-    let graph = &mut vocabulary.graph;
-    let squares: Vec<Expr> = measures.iter().map(|e| graph.powi(*e, 2)).collect();
-    let mut scaled = |parts: &[(i64, i64, usize)]| {
-        let terms: Vec<Expr> =
-            parts.iter().map(|(over, under, at)| graph.scale(Rational::Small(*over, *under), squares[*at])).collect();
-        let sum = graph.sum(&terms);
-        graph.mul(measures[0], sum)
-    };
-    let (along, across) = match *name {
-        "rod" => (None, scaled(&[(1, 12, 1)])),
-        "disk" => (Some(scaled(&[(1, 2, 1)])), scaled(&[(1, 4, 1)])),
-        "cylinder" => (Some(scaled(&[(1, 2, 1)])), scaled(&[(1, 4, 1), (1, 12, 2)])),
-        "sphere" => {
-            let same = scaled(&[(2, 5, 1)]);
-            (Some(same), same)
-        }
-        "cuboid" => {
-            let sides: Triple = std::array::from_fn(|i| {
-                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                scaled(&[(1, 12, 1 + j), (1, 12, 1 + k)])
-            });
-            return Some(diagonal(graph, &sides));
-        }
-        _ => (Some(measures[0]), graph.zero()),
-    };
-    let along = along.unwrap_or_else(|| graph.zero());
-    let entries: Triple = std::array::from_fn(|i| if i == axis { along } else { across });
-    Some(diagonal(graph, &entries))
-}
-
-fn diagonal(graph: &Graph, entries: &Triple) -> Rotation {
-    std::array::from_fn(|i| std::array::from_fn(|j| if i == j { entries[i] } else { graph.zero() }))
 }
 
 /// A force at a point, and the opposite one where it has a counterpart.

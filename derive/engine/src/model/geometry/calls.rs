@@ -3,8 +3,9 @@
 use super::{Rigid, Vector};
 use crate::model::context::Context;
 use crate::model::functions::wrong_number_of_arguments;
-use crate::model::lower::{Value, Vocabulary};
 use crate::model::names::{Meaning, Mentions};
+use crate::model::value::Value;
+use crate::model::vocabulary::Vocabulary;
 use crate::syntax::{Diagnostics, ElementKind, Term, did_you_mean, messages, nearest};
 use proc_macro2::Span;
 

@@ -1,8 +1,9 @@
 //! Vector equations as rows: components along the axes of one frame.
 
 use super::Vector;
-use crate::model::lower::{Value, Valued, Vocabulary};
 use crate::model::names::Mentions;
+use crate::model::value::{Value, Valued};
+use crate::model::vocabulary::Vocabulary;
 use crate::symbolic::Expr;
 use crate::syntax::{AXES, Constraint, Diagnostics, messages};
 

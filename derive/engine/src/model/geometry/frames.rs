@@ -3,8 +3,9 @@
 use super::Vector;
 use super::vector::path;
 use crate::model::context::Context;
-use crate::model::lower::{Lowered, Vocabulary};
 use crate::model::names::{Meaning, Mentions};
+use crate::model::value::Lowered;
+use crate::model::vocabulary::Vocabulary;
 use crate::symbolic::{Expr, Rotation, Stage, Symbol, Triple};
 use crate::syntax::{AXES, Diagnostics, Expression, Term, did_you_mean, messages, nearest};
 use proc_macro2::Span;

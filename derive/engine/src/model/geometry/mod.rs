@@ -8,6 +8,8 @@
 //! | `releases` | what is let go, to tell its reaction |
 //! | `calls` | the functions of vectors |
 //! | `tree` | nodes that are a point and axes |
+//! | `shapes` | inertias of bodies |
+//! | `possible` | inertias that no body has |
 //! | `bodies` | bodies, loads and springs at these nodes |
 //! | `order` | defines, frames, points and bodies in the order of their dependence |
 //! | `equations` | vector equations as rows |
@@ -18,7 +20,9 @@ pub(super) mod equations;
 mod frames;
 pub(super) mod order;
 mod places;
+mod possible;
 mod releases;
+mod shapes;
 mod tree;
 mod vector;
 

@@ -3,8 +3,8 @@
 use super::bodies::rigid_of;
 use super::{Frame, Geometry, Place};
 use crate::model::context::Context;
-use crate::model::lower::Vocabulary;
 use crate::model::names::{Meaning, Mentions};
+use crate::model::vocabulary::Vocabulary;
 use crate::symbolic::Graph;
 use crate::syntax::{Declarations, Diagnostics, Element, Expression, Term, messages};
 use proc_macro2::Ident;

@@ -1,7 +1,7 @@
 //! Points, each one step away from another along the axes of one frame.
 
 use super::{Geometry, Vector};
-use crate::model::lower::Vocabulary;
+use crate::model::vocabulary::Vocabulary;
 use crate::symbolic::Triple;
 
 /// A point, seen from another.

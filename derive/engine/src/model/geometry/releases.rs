@@ -5,7 +5,7 @@
 
 use super::Vector;
 use crate::model::context::Context;
-use crate::model::lower::Vocabulary;
+use crate::model::vocabulary::Vocabulary;
 use crate::symbolic::{Expr, Graph, Kind, Symbol};
 use crate::syntax::{Diagnostics, Element, Term, messages};
 

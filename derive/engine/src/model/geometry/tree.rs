@@ -5,8 +5,8 @@
 //! velocity any more, and the point is taken up in the axes along which it lies.
 
 use super::{Frame, Geometry};
-use crate::model::lower::Vocabulary;
 use crate::model::mechanism::{Node, Step};
+use crate::model::vocabulary::Vocabulary;
 use crate::symbolic::Rotation;
 use std::collections::BTreeMap;
 

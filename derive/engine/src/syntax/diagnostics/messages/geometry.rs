@@ -19,6 +19,11 @@ messages! {
     body_inertia_form() =
         "expected a matrix `diag(ixx, iyy, izz)` or `matrix([ixx, ixy, ixz], [_, iyy, iyz], [_, _, izz])`, or one of \
          `rod(m, l, x)`, `disk(m, r, x)`, `cylinder(m, r, h, x)`, `sphere(m, r)`, `cuboid(m, a, b, c)`, `planar(i)`";
+    mass_negative(name, figure) =
+        "the mass of `{name}` is {figure} by the nominal values, below zero";
+    inertia_of_no_body(name) =
+        "no body has this inertia: by the nominal values a principal moment of `{name}` is greater than the two others \
+         together; for motions in a plane write `planar(i)`";
     body_axis() =
         "expected an axis of the body's frame: `x`, `y` or `z`";
     acts_on_nothing(statement) =
