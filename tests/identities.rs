@@ -15,6 +15,7 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use random::{first, in_one_stage};
 use std::path::Path;
+use support::declared;
 use support::splitmix::SplitMix;
 
 /// A state on the constraints, by the equations of the model.
@@ -122,10 +123,8 @@ fn scaled_constraints_divide_their_multipliers() {
         scales(&model.source, &mut random);
     }
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut files: Vec<_> = std::fs::read_dir(root.join("tests/models")).expect("a folder").collect();
-    files.sort_by_key(|file| file.as_ref().expect("an entry").path());
-    for file in files {
-        let text = std::fs::read_to_string(file.expect("an entry").path()).expect("a text");
+    for file in declared::rust_files(&root.join("tests/models")) {
+        let text = std::fs::read_to_string(file).expect("a text");
         for item in syn::parse_file(&text).expect("Rust").items {
             let syn::Item::Struct(mut item) = item else { continue };
             item.fields.iter_mut().for_each(with_a_value);

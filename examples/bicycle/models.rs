@@ -47,31 +47,57 @@ use holonomy::ConstrainedSystem;
 #[independent(dot(lean), dot(steer), dot(rear))]
 #[allow(missing_docs)]
 pub struct Bicycle {
+    #[nominal(1.02)]
     pub w: f64,
+    #[nominal(0.08)]
     pub c: f64,
+    #[nominal(0.3141592653589793)]
     pub lambda: f64,
+    #[nominal(9.81)]
     pub g: f64,
+    #[nominal(0.3)]
     pub r_rear: f64,
+    #[nominal(2.0)]
     pub m_rear: f64,
+    #[nominal(0.0603)]
     pub rear_xx: f64,
+    #[nominal(0.12)]
     pub rear_yy: f64,
+    #[nominal(0.3)]
     pub bx: f64,
+    #[nominal(-0.9)]
     pub bz: f64,
+    #[nominal(85.0)]
     pub mb: f64,
+    #[nominal(9.2)]
     pub bxx: f64,
+    #[nominal(11.0)]
     pub byy: f64,
+    #[nominal(2.8)]
     pub bzz: f64,
+    #[nominal(2.4)]
     pub bxz: f64,
+    #[nominal(0.9)]
     pub hx: f64,
+    #[nominal(-0.7)]
     pub hz: f64,
+    #[nominal(4.0)]
     pub mh: f64,
+    #[nominal(0.05892)]
     pub hxx: f64,
+    #[nominal(0.06)]
     pub hyy: f64,
+    #[nominal(0.00708)]
     pub hzz: f64,
+    #[nominal(-0.00756)]
     pub hxz: f64,
+    #[nominal(0.35)]
     pub r_front: f64,
+    #[nominal(3.0)]
     pub m_front: f64,
+    #[nominal(0.1405)]
     pub front_xx: f64,
+    #[nominal(0.28)]
     pub front_yy: f64,
 }
 

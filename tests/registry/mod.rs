@@ -52,6 +52,9 @@ pub mod example_rolling_disk;
 #[path = "../../examples/appell_hamel/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_appell_hamel;
+#[path = "../../examples/bicycle/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_bicycle;
 #[path = "../../examples/car_axis/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_car_axis;
@@ -180,6 +183,11 @@ macro_rules! every_model {
                 SphericalInAngles(m, l, g);
             "examples/appell_hamel/models.rs" example_appell_hamel:
                 SteadySlope(m, g, a);
+            "examples/bicycle/models.rs" example_bicycle:
+                Bicycle(
+                    w, c, lambda, g, r_rear, m_rear, rear_xx, rear_yy, bx, bz, mb, bxx, byy, bzz, bxz, hx, hz, mh, hxx, hyy,
+                    hzz, hxz, r_front, m_front, front_xx, front_yy
+                );
             "examples/car_axis/models.rs" example_car_axis:
                 CarAxle(eps, m, l, l0, r, w, g);
             "examples/cartesian_pendulum/models.rs" example_cartesian_pendulum:
