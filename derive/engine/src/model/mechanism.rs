@@ -128,42 +128,24 @@ pub enum LineKind {
 }
 
 impl Mechanism {
-    /// Every expression that may mention rates, to be replaced in place.
-    pub(super) fn moving(&mut self) -> Vec<&mut Expr> {
-        let mut moving: Vec<&mut Expr> = Vec::new();
+    /// Every expression that may mention coordinates or rates, to be reexpressions in place.
+    pub fn expressions(&mut self) -> Vec<&mut Expr> {
+        let mut expressions: Vec<&mut Expr> = Vec::new();
         for node in &mut self.nodes {
             match &mut node.step {
-                Step::Turn { spin, .. } => moving.extend(spin),
-                Step::Move { rate, .. } => moving.extend(rate),
-                Step::Carry { .. } => {}
+                Step::Turn { rotation, spin, .. } => expressions.extend(rotation.iter_mut().flatten().chain(spin)),
+                Step::Move { offset, rate } => expressions.extend(offset.iter_mut().chain(rate)),
+                Step::Carry { rotations } => expressions.extend(rotations.iter_mut().flatten().flatten()),
             }
         }
         for load in &mut self.loads {
-            moving.extend(load.force.iter_mut().chain(&mut load.torque));
-        }
-        moving.extend(self.lines.iter_mut().map(|line| &mut line.rate));
-        moving.extend(&mut self.generalized);
-        moving
-    }
-
-    /// Every expression that may mention coordinates.
-    pub fn placed(&mut self) -> Vec<&mut Expr> {
-        let mut placed: Vec<&mut Expr> = Vec::new();
-        for node in &mut self.nodes {
-            match &mut node.step {
-                Step::Turn { rotation, spin, .. } => placed.extend(rotation.iter_mut().flatten().chain(spin)),
-                Step::Move { offset, rate } => placed.extend(offset.iter_mut().chain(rate)),
-                Step::Carry { rotations } => placed.extend(rotations.iter_mut().flatten().flatten()),
-            }
-        }
-        for load in &mut self.loads {
-            placed.extend(load.force.iter_mut().chain(&mut load.torque));
+            expressions.extend(load.force.iter_mut().chain(&mut load.torque));
         }
         for line in &mut self.lines {
-            placed.extend([&mut line.length, &mut line.rate]);
+            expressions.extend([&mut line.length, &mut line.rate]);
         }
-        placed.extend(self.gravity.iter_mut().flatten());
-        placed.extend(&mut self.generalized);
-        placed
+        expressions.extend(self.gravity.iter_mut().flatten());
+        expressions.extend(&mut self.generalized);
+        expressions
     }
 }

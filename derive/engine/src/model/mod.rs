@@ -220,7 +220,7 @@ fn moving(
             *total = graph.add(*total, part);
         }
     }
-    let mut moving = mechanism.moving();
+    let mut moving = mechanism.expressions();
     let written: Vec<Expr> = moving.iter().map(|e| **e).collect();
     let replaced = graph.substitute(&written, rates);
     moving.iter_mut().zip(replaced).for_each(|(e, new)| **e = new);

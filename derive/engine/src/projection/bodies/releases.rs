@@ -20,7 +20,7 @@ pub fn extended(system: &mut InitialSystem, mechanism: &mut Mechanism) -> Vec<Sy
     let zeros: Vec<(Symbol, Expr)> =
         mechanism.releases.iter().map(|release| (release.coordinate, graph.zero())).collect();
     if !zeros.is_empty() {
-        let mut placed = mechanism.placed();
+        let mut placed = mechanism.expressions();
         let written: Vec<Expr> = placed.iter().map(|e| **e).collect();
         let held = graph.substitute(&written, &zeros);
         placed.iter_mut().zip(held).for_each(|(e, new)| **e = new);
