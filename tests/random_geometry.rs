@@ -5,17 +5,21 @@ mod random;
 mod support;
 
 use claims::agreement::{NOT_REACHED, agrees};
-use claims::evaluated::{projected, simplified};
+use claims::evaluated::{joint_by_joint, projected, simplified};
 use holonomy_engine::projection::Equations;
 use oracle::Report;
 use random::{counted, mechanism};
 use support::parallel;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use support::splitmix::SplitMix;
 
 /// How many as the equations come, ...
 const PROJECTED: usize = 500;
 /// ... and how many in the forms in which they are emitted.
 const EMITTED: usize = 60;
+
+/// How many of these are open and have each speed at one joint, at least.
+const OPEN: usize = 150;
 
 /// How often each class must occur among the equations as they come.
 const CLASSES: [(&str, usize); 52] = [
@@ -108,6 +112,19 @@ fn random_mechanisms_as_projected_agree_with_the_oracle() {
         let count = found.iter().filter(|found| *found == class).count();
         assert!(count >= least, "{count} of {class}");
     }
+}
+
+#[test]
+fn random_mechanisms_joint_by_joint_agree_with_the_oracle() {
+    let open = AtomicUsize::new(0);
+    all_agree(PROJECTED, |source| {
+        let equations = joint_by_joint(source)?;
+        open.fetch_add(usize::from(equations.is_recursive()), Ordering::Relaxed);
+        Ok(equations)
+    });
+    let open = open.into_inner();
+    println!("{open} of {PROJECTED} mechanisms joint by joint");
+    assert!(open >= OPEN);
 }
 
 #[test]

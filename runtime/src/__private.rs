@@ -11,7 +11,20 @@ pub use core::result::Result::{self, Err, Ok};
 pub use core::{array, unreachable};
 pub use nalgebra::SMatrix;
 
-use crate::{Error, GuardInfo, GuardKind, Scalar};
+use crate::{Error, GuardInfo, GuardKind, Scalar, Vector};
+
+/// A symmetric matrix by what it makes of unit vectors.
+pub fn symmetric<T: Scalar, V: Vector<T>, const N: usize>(of: impl Fn(&V) -> V) -> SMatrix<T, N, N> {
+    let mut matrix = SMatrix::from_fn(|_, _| T::from_f64(0.0));
+    for j in 0..N {
+        let column: V::Array = of(&V::from_fn(|i| T::from_f64(if i == j { 1.0 } else { 0.0 }))).into();
+        for (i, value) in column.as_ref().iter().enumerate().skip(j) {
+            matrix[(i, j)] = *value;
+            matrix[(j, i)] = *value;
+        }
+    }
+    matrix
+}
 
 /// Every parameter must be finite.
 pub fn check_parameters<T: Scalar>(names: &[&'static str], values: &[T]) -> Result<(), Error> {

@@ -3,6 +3,7 @@
 mod charts;
 mod initial;
 mod outputs;
+mod powers;
 mod reactions;
 mod velocities;
 

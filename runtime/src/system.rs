@@ -4,6 +4,7 @@ mod description;
 
 use core::fmt::Debug;
 
+use crate::vector::entry;
 use crate::{Error, Matrix, Prepared, Scalar, Vector};
 
 pub use description::{
@@ -27,6 +28,7 @@ pub type State<M, T = f64> = <M as ConstrainedSystem>::State<T>;
 /// |---|---|---|---|
 /// | A, a0 | `kinematic_matrix`, `kinematic_bias` | n × n, n | ẋ = A v + a0 (2.1) |
 /// | M, h* | `inertia`, `forces` | n × n, n | M v̇ = h* (2.3) |
+/// | M v, M v̇ − h* | `momenta`, `inverse_dynamics` | n, n | (2.3) |
 /// | C, c0* | `constraint_matrix`, `constraint_bias` | m × n, m | C v̇ + c0* = 0 (2.4) |
 /// | f, φ | `position_residual`, `velocity_residual` | one per row of that level | (2.5), (2.6) |
 /// | D | `complement` | k × n | D Cᵀ = 0 (3.1) |
@@ -160,6 +162,34 @@ pub trait ConstrainedSystem: Sized + Clone {
         v: &Self::Velocities<T>,
         i: &Self::Inputs<T>,
     ) -> Self::Velocities<T>;
+
+    /// M v: the generalised momenta of motions in which nothing moves by itself, T = ½ vᵀ M v. Models of bodies whose speeds are
+    /// those of their joints have them along the tree, without M.
+    fn momenta<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        x: &Self::Coordinates<T>,
+        v: &Self::Velocities<T>,
+    ) -> Self::Velocities<T> {
+        let (inertia, v) = (Self::inertia(p, t, x), entry(v));
+        let columns = 0..Self::SystemMatrix::<T>::COLUMNS;
+        Vector::from_fn(|i| columns.clone().fold(T::from_f64(0.0), |sum, j| sum + inertia.entry(i, j) * v(j)))
+    }
+
+    /// M v̇ − h*: the further forces along v that the rates v̇ need. Models of bodies whose speeds are those of their joints have
+    /// them along the tree, without M.
+    fn inverse_dynamics<T: Scalar>(
+        p: &Self::Values<T>,
+        t: T,
+        x: &Self::Coordinates<T>,
+        v: &Self::Velocities<T>,
+        dv: &Self::Velocities<T>,
+        i: &Self::Inputs<T>,
+    ) -> Self::Velocities<T> {
+        let (inertial, forces) = (Self::momenta(p, t, x, dv), Self::forces(p, t, x, v, i));
+        let (inertial, forces) = (entry(&inertial), entry(&forces));
+        Vector::from_fn(|i| inertial(i) - forces(i))
+    }
 
     /// C of (2.4), m × n.
     fn constraint_matrix<T: Scalar>(

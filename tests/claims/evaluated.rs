@@ -1,10 +1,11 @@
 //! What the engine's equations claim at a state, by evaluating its expressions.
 
-use holonomy_engine::projection::{AsIs, Equations, Guard, project};
+use holonomy_engine::projection::{AsIs, Equations, Guard, inverse_dynamics, project};
 use holonomy_engine::simplify::Search;
 use holonomy_engine::symbolic::{Algebra, Expr, Function, Given, Graph, Matrix, Rational, Symbol};
+use holonomy_engine::syntax::Elimination;
 use holonomy_engine::{model, syntax};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use oracle::{ChartClaim, Claim, Dual, Multiplier, Number, System, derivative};
 use quote::ToTokens;
 use std::collections::BTreeMap;
@@ -34,6 +35,7 @@ impl<N: Number> Algebra for Over<'_, N> {
         match function {
             Function::Sin => first.sin_cos().0,
             Function::Cos => first.sin_cos().1,
+            Function::Whole => first,
             Function::Sqrt => first.sqrt(),
             Function::Atan2 => first.atan2(arguments[1]),
             Function::Exp => first.exp(),
@@ -67,7 +69,22 @@ impl<N: Number> Algebra for Over<'_, N> {
 pub fn projected(source: &str) -> Result<Equations, String> {
     let declarations = syntax::parse(tokens(source)).map_err(said)?;
     let system = model::build(&declarations).map_err(said)?;
-    project(system, &mut AsIs).map_err(said)
+    let mut equations = project(system, &mut AsIs).map_err(said)?;
+    inverse_dynamics(&mut equations);
+    Ok(equations)
+}
+
+/// The same eliminated joint by joint, where the model is an open mechanism.
+///
+/// # Errors
+/// What the engine says about a model that it refuses.
+pub fn joint_by_joint(source: &str) -> Result<Equations, String> {
+    let declarations = syntax::parse(tokens(source)).map_err(said)?;
+    let mut system = model::build(&declarations).map_err(said)?;
+    system.elimination = Elimination::Recursive;
+    let mut equations = project(system, &mut AsIs).map_err(said)?;
+    inverse_dynamics(&mut equations);
+    Ok(equations)
 }
 
 /// The equations as they are emitted: in the cheapest forms found.
@@ -173,6 +190,19 @@ impl Evaluated<'_> {
             let mut algebra = self.values(t, [(&e.coordinates, &coordinates), (&e.speeds, &velocities)]);
             e.graph.evaluate_in(expressions, &mut algebra)
         };
+        // M v of given v
+        let momenta = |v: &[f64]| {
+            let mut algebra = self.values(t, [(&e.coordinates, &coordinates), (&e.speeds, v)]);
+            e.graph.evaluate_in(&e.momenta, &mut algebra)
+        };
+        let inertia = || {
+            let columns = (0..e.speeds.len()).map(|j| {
+                let unit: Vec<f64> = (0..e.speeds.len()).map(|i| if i == j { 1.0 } else { 0.0 }).collect();
+                momenta(&unit)
+            });
+            DMatrix::from_columns(&columns.map(Into::into).collect::<Vec<DVector<f64>>>())
+        };
+        let of_bodies = !e.momenta.is_empty();
         let matrix =
             |matrix: &Matrix, values: Vec<f64>| DMatrix::from_row_slice(matrix.rows(), matrix.columns(), &values);
         let named = |symbols: &[Symbol]| symbols.iter().map(|&s| e.graph.name(s).to_string()).collect();
@@ -214,8 +244,11 @@ impl Evaluated<'_> {
             coordinate_rates: rates,
             accelerations,
             velocity_rates: along.iter().map(|v| v.rate).collect(),
-            given_rates,
-            mass_matrix: matrix(&e.mass_matrix, state(e.mass_matrix.entries())),
+            given_rates: given_rates.clone(),
+            mass_matrix: match e.is_recursive() {
+                true => inertia(),
+                false => matrix(&e.mass_matrix, state(e.mass_matrix.entries())),
+            },
             forcing: state(&e.forcing),
             complement: matrix(&e.complement, state(e.complement.entries())),
             complement_bias: state(&e.complement_bias),
@@ -228,7 +261,16 @@ impl Evaluated<'_> {
             position_residual: e.position_names.iter().cloned().zip(initial(&e.position_residual)).collect(),
             kinematic_matrix: matrix(&e.kinematic_matrix, initial(e.kinematic_matrix.entries())),
             kinematic_bias: initial(&e.kinematic_bias),
-            inertia: matrix(&e.inertia, initial(e.inertia.entries())),
+            inertia: match e.is_recursive() {
+                true => inertia(),
+                false => matrix(&e.inertia, initial(e.inertia.entries())),
+            },
+            momenta: of_bodies.then(|| momenta(&velocities)),
+            inverse_dynamics: of_bodies.then(|| {
+                let mut algebra = self.values(t, [(&e.coordinates, &coordinates), (&e.speeds, &velocities)]);
+                algebra.0.extend(e.velocity_rate_symbols.iter().copied().zip(given_rates.iter().copied()));
+                e.graph.evaluate_in(&e.inverse_dynamics, &mut algebra)
+            }),
             forces: initial(&e.forces),
             kinetic_energy: initial(&[e.kinetic_energy])[0],
             potential_energy: e.potential_energy.map(|potential| initial(&[potential])[0]),

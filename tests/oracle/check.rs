@@ -65,6 +65,22 @@ impl Compared<'_> {
         report.vector("a0", &claim.kinematic_bias, &dynamics.a0);
         report.matrix("M", &claim.inertia, &dynamics.m);
         report.vector("h*", &claim.forces, &dynamics.h);
+        let along = |values: &[f64]| -> DVector<Scaled> {
+            DVector::from_fn(values.len(), |i, _| {
+                let products = values.iter().enumerate().map(|(j, v)| (dynamics.m[(i, j)], *v));
+                products.fold(Scaled { value: 0.0, size: 0.0 }, |sum, (m, v)| Scaled {
+                    value: sum.value + m.value * v,
+                    size: sum.size + m.size * v.abs(),
+                })
+            })
+        };
+        if let Some(momenta) = &claim.momenta {
+            report.vector("M v", momenta, &along(&claim.velocities));
+        }
+        if let Some(needed) = &claim.inverse_dynamics {
+            let less = |m: Scaled, h: Scaled| Scaled { value: m.value - h.value, size: m.size + h.size };
+            report.vector("M v̇ - h*", needed, &along(&claim.given_rates).zip_map(&dynamics.h, less));
+        }
         let kinetic = dynamics.kinetic;
         report.number("kinetic energy", claim.kinetic_energy, kinetic.value, UNIT * kinetic.size);
         // bodies without gravity and springs may as well have V = 0

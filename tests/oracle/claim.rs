@@ -81,6 +81,10 @@ pub struct Claim {
     pub inertia: DMatrix<f64>,
     /// h*.
     pub forces: Vec<f64>,
+    /// M v, where it is claimed.
+    pub momenta: Option<Vec<f64>>,
+    /// M v̇ - h* for v̇ as it is given, where it is claimed.
+    pub inverse_dynamics: Option<Vec<f64>>,
     /// ½ vᵀ M v.
     pub kinetic_energy: f64,
     /// V.

@@ -5,6 +5,7 @@
 //! [`pipeline`] to run them. The interface of this crate may change with every release; depend on `holonomy` instead.
 
 mod choices;
+mod elimination;
 pub mod emit;
 mod forms;
 pub mod model;

@@ -1,9 +1,12 @@
 //! The steps in order, from tokens to tokens.
 
 use crate::choices::choose;
+use crate::elimination::{Recursive, joint_by_joint};
 use crate::forms::Forms;
 use crate::plain::Plain;
-use crate::projection::{AsIs, Equations, Simplifier, TANGENT_PIVOT, guards, messages, outputs, project};
+use crate::projection::{
+    AsIs, Equations, Simplifier, TANGENT_PIVOT, guards, inverse_dynamics, messages, outputs, project,
+};
 use crate::simplify::Search;
 use crate::symbolic::{Expr, Graph};
 use crate::syntax::{Declarations, Diagnostics};
@@ -134,6 +137,11 @@ fn equations(
     };
     after(Step::Model, system.graph.len());
     choose(&mut system);
+    let mut recursive = joint_by_joint(&system, declarations.options.elimination)?;
+    if let Some(recursive) = recursive.take_if(|recursive| recursive.is_surely_faster(&system)) {
+        after(Step::Projection, recursive.size());
+        return finished(recursive.taken(), declarations, after);
+    }
     let search = if declarations.options.simplify { search } else { Search::Off };
     let mut equations = match search {
         Search::Off => {
@@ -153,6 +161,17 @@ fn equations(
             if lighter { equations } else { Plain::instead_of(equations, initial) }
         }
     };
+    inverse_dynamics(&mut equations);
+    let faster = recursive.take_if(|recursive| recursive.is_faster_than(&equations));
+    finished(faster.map_or(equations, Recursive::taken), declarations, after)
+}
+
+/// The last judgements of what will be emitted.
+fn finished(
+    mut equations: Equations,
+    declarations: &Declarations,
+    after: Observer<'_>,
+) -> Result<Equations, Diagnostics> {
     let mut errors = Diagnostics::new();
     for (name, span) in outputs::dividing_by_zero(&equations) {
         errors.report(span, messages::output_divides_by_zero(name));

@@ -28,6 +28,23 @@ impl<M: ConstrainedSystem, T: Scalar> Prepared<M, T> {
         M::forces(self.values(), t, x, v, i)
     }
 
+    /// M v, n: the generalised momenta ∂T/∂v, but for what moves by itself, as a function of time.
+    ///
+    /// ```
+    /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
+    /// # use models::{Pendulum, PendulumState, PendulumVelocities};
+    /// use holonomy::prelude::*;
+    ///
+    /// let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
+    /// let v = PendulumVelocities { dot_x: 3.0, dot_y: 1.0 };
+    /// assert_eq!(pendulum.momenta(0.0, &[0.0, -0.5], &v), PendulumVelocities { dot_x: 6.0, dot_y: 2.0 });
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[inline]
+    pub fn momenta(&self, t: T, x: &M::Coordinates<T>, v: &M::Velocities<T>) -> M::Velocities<T> {
+        M::momenta(self.values(), t, x, v)
+    }
+
     /// C of C v̇ + c0* = 0 (2.4), m × n.
     #[inline]
     pub fn constraint_matrix(&self, t: T, x: &M::Coordinates<T>, v: &M::Velocities<T>) -> M::ConstraintMatrix<T> {

@@ -87,7 +87,9 @@ impl<'a> Texts<'a> {
         let number = |holonomic, otherwise| if configured { holonomic } else { otherwise };
         c.each("derivative", number("(4.3)", "(5.7)"), c.dots(&e.state_coordinates), &e.coordinate_rates);
         c.each("accelerations", number("(4.10)", "(5.6)"), c.dots(&e.state_speeds), &e.accelerations);
-        c.matrix("mass_matrix", "M_d", "(4.10)", &e.mass_matrix);
+        if !e.is_recursive() {
+            c.matrix("mass_matrix", "M_d", "(4.10)", &e.mass_matrix);
+        }
         c.list("forcing", "h_u*", number("(4.10)", "(5.6)"), &e.forcing);
         if configured {
             c.each("coordinates", "(4.2)", names(&e.coordinates), &e.initial_coordinates);
@@ -104,7 +106,10 @@ impl<'a> Texts<'a> {
         c.each("multipliers", "(3.6)", lambdas, &e.multipliers);
         c.matrix("kinematic_matrix", "A", "(2.1)", &e.kinematic_matrix);
         c.list("kinematic_bias", "a0", "(2.1)", &e.kinematic_bias);
-        c.matrix("inertia", "M", "(2.3)", &e.inertia);
+        match e.is_recursive() {
+            true => c.list("momenta", "M v", "(2.3)", &e.momenta),
+            false => c.matrix("inertia", "M", "(2.3)", &e.inertia),
+        }
         c.list("forces", "h*", "(2.3)", &e.forces);
         c.matrix("constraint_matrix", "C", "(2.4)", &e.constraint_matrix);
         c.list("constraint_bias", "c0*", "(2.6)", &e.constraint_bias);

@@ -41,6 +41,9 @@ fn arguments(target: &Target, types: &Types, arguments: Arguments) -> Vec<(Ident
         }
         Arguments::Coordinates => vec![coordinates()],
         Arguments::CoordinatesVelocities => vec![coordinates(), velocities()],
+        Arguments::CoordinatesVelocitiesRatesInputs => {
+            vec![coordinates(), velocities(), (name("dv"), velocities().1), inputs()]
+        }
         Arguments::CoordinatesVelocitiesInputs => vec![coordinates(), velocities(), inputs()],
         Arguments::Parameters => Vec::new(),
     }

@@ -11,6 +11,7 @@
 //! | [`equations`] | the derived equations as text |
 //! | [`layout`] | matrices in text |
 //! | [`description`] | `MODEL` |
+//! | `recursive` | the functions of mechanisms without M, in terms of others |
 //! | [`system`] | the implementation of the trait |
 
 pub mod charts;
@@ -18,6 +19,7 @@ pub mod description;
 pub mod equations;
 pub mod functions;
 pub mod layout;
+mod recursive;
 pub mod shape;
 pub mod system;
 pub mod target;

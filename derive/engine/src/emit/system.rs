@@ -4,6 +4,7 @@ use super::charts::chosen;
 use super::description::{bare, model};
 use super::equations::Texts;
 use super::functions::{docs, function, signature, tokens};
+use super::recursive;
 use super::shape::{Known, Types};
 use super::target::{Target, ident};
 use super::text::{Writer, user_function};
@@ -29,6 +30,9 @@ pub fn implementation(target: &Target, equations: &Equations, programs: &Program
         let emitted = function(target, &types, programs, program, &texts);
         functions.extend(emitted.function);
         parts.extend(emitted.parts);
+    }
+    if equations.is_recursive() {
+        functions.extend(recursive::functions(target, &types));
     }
     let model = model(target, &types, equations, programs, &texts);
     let prepare = prepare(target, &types, programs);

@@ -130,9 +130,10 @@ impl Writer<'_> {
         let carriers = |leaf: &Leaf| if let Leaf::Carrier(i) = leaf { Some(*i) } else { None };
         let rates = |leaf: &Leaf| if let Leaf::CarrierRate(i) = leaf { Some(*i) } else { None };
         match arguments {
-            Arguments::Coordinates | Arguments::CoordinatesVelocities | Arguments::CoordinatesVelocitiesInputs => {
-                self.array("at", &self.names.coordinates, coordinates)
-            }
+            Arguments::Coordinates
+            | Arguments::CoordinatesVelocities
+            | Arguments::CoordinatesVelocitiesInputs
+            | Arguments::CoordinatesVelocitiesRatesInputs => self.array("at", &self.names.coordinates, coordinates),
             Arguments::StateCarriers => self.array("w", &self.names.carriers, carriers),
             Arguments::StateCarriersRates => {
                 self.array("w", &self.names.carriers, carriers) + &self.array("dw", &self.names.carrier_rates, rates)

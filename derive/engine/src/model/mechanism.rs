@@ -4,7 +4,7 @@
 //! against its parent by one step, so that velocities are found outwards and forces are collected inwards, node by node in
 //! axes of their own. Nothing is ever written out in the axes of the inertial frame.
 
-use crate::symbolic::{Expr, Rotation, Symbol, Triple};
+use crate::symbolic::{Expr, Matrix, Rotation, Symbol, Triple};
 
 /// A tree of twists, with what is heavy and what acts.
 #[derive(Clone, Debug)]
@@ -23,6 +23,19 @@ pub struct Mechanism {
     pub generalized: Vec<Expr>,
     /// What is let go along coordinates that stay zero, to tell the reactions of what holds it.
     pub releases: Vec<Release>,
+    /// What acts along the speeds and is no body's; `None` until the projection has found it.
+    pub along: Option<Along>,
+    /// Whether what passes from node to node is not written out again at every node: then it cannot be simplified further.
+    pub whole: bool,
+}
+
+/// Inertias and forces along the speeds, those of what is released behind the others.
+#[derive(Clone, Debug)]
+pub struct Along {
+    /// What they add to M.
+    pub inertia: Matrix,
+    /// What they add to h*.
+    pub forces: Vec<Expr>,
 }
 
 /// A coordinate that stays zero.

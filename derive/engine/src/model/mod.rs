@@ -48,12 +48,12 @@ mod vocabulary;
 
 pub use mechanism::Mechanism;
 pub use system::{
-    Chosen, ComplementRow, Configuration, Independent, IndependentSpeed, InitialSystem, Kinematics, Output, Outputs,
-    Places, Reaction, Row, RowKind, Velocities,
+    Chosen, ComplementRow, Configuration, Independent, IndependentSpeed, InitialSystem, Kinematics, Open, Output,
+    Outputs, Places, Reaction, Row, RowKind, Velocities,
 };
 
 use crate::symbolic::{Expr, Matrix, Symbol};
-use crate::syntax::{Declarations, Diagnostics, Place, messages};
+use crate::syntax::{Declarations, Diagnostics, Elimination, Place, messages};
 use context::Context;
 use names::Names;
 use vocabulary::Vocabulary;
@@ -181,6 +181,8 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
         kinetic,
         potential,
         mechanism,
+        elimination: Elimination::Matrix,
+        open: None,
         rows,
         configuration,
         velocities,

@@ -4,7 +4,7 @@ use proc_macro2::Span;
 
 use super::mechanism::Mechanism;
 use crate::symbolic::{Expr, Graph, Matrix, Symbol};
-use crate::syntax::Place;
+use crate::syntax::{Elimination, Place};
 
 /// A model with its names resolved: n coordinates x and n speeds v that nothing ties yet, and the rows that will.
 ///
@@ -37,6 +37,10 @@ pub struct InitialSystem {
     /// The bodies, where the model has any: `inertia` is all zeros then and `forces` what the model lists besides, until the
     /// projection finds M, h*, T and V.
     pub mechanism: Option<Mechanism>,
+    /// How the motion of bodies is to be found.
+    pub elimination: Elimination,
+    /// v̇ of an open mechanism that was eliminated joint by joint: then `inertia` has no entries.
+    pub open: Option<Open>,
     /// The constraints in order.
     pub rows: Vec<Row>,
     /// x = g(q, t) (4.2), where the model gives it.
@@ -70,6 +74,15 @@ impl InitialSystem {
         };
         (0..n).all(|i| self.graph.is_zero(self.kinematics.a0[i]) && (0..n).all(|j| unit(i, j)))
     }
+}
+
+/// The motion of an open mechanism.
+#[derive(Clone, Debug)]
+pub struct Open {
+    /// v̇.
+    pub rates: Vec<Expr>,
+    /// The position of each speed with its pivot, from the leaves inwards.
+    pub pivots: Vec<(usize, Expr)>,
 }
 
 /// Both directions of the kinematics.

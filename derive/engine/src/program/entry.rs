@@ -16,6 +16,8 @@ pub enum Arguments {
     CoordinatesVelocities,
     /// x, v and the inputs.
     CoordinatesVelocitiesInputs,
+    /// x, v, v̇ and the inputs.
+    CoordinatesVelocitiesRatesInputs,
     /// The state, of which the coordinates are read, and v.
     StateVelocities,
     /// The state, of which the coordinates are read, and the carriers.
@@ -135,6 +137,7 @@ pub fn entries(equations: &Equations) -> Vec<Entry> {
     };
     let kinetic = Output { shape: Shape::Scalar, roots: vec![e.kinetic_energy], labels: vec!["kinetic".to_owned()] };
     let derivative = Output { shape: Shape::State, roots: rates, labels: rates_of(&state) };
+    let bodies = !e.momenta.is_empty();
     let mut all = vec![
         two(
             "derivative",
@@ -207,6 +210,18 @@ pub fn entries(equations: &Equations) -> Vec<Entry> {
             array(&e.carried_rates, rates_of(&state[..e.state_coordinates.len()])),
         ),
     ];
+    if e.is_recursive() {
+        all.retain(|entry| !WITHOUT_MATRIX.contains(&entry.name.as_str()));
+    }
+    if bodies {
+        let law = "M v: the generalised momenta, along the tree of bodies.";
+        let labels = prefixed("p", &e.speeds.iter().map(name).collect::<Vec<_>>());
+        all.push(one(MOMENTA, CoordinatesVelocities, law, velocities(&e.momenta, labels)));
+        let law = "M v̇ − h*: what further forces along v the rates v̇ need (2.3), along the tree of bodies.";
+        let reads = Arguments::CoordinatesVelocitiesRatesInputs;
+        let labels = prefixed("f", &e.speeds.iter().map(name).collect::<Vec<_>>());
+        all.push(one(INVERSE_DYNAMICS, reads, law, velocities(&e.inverse_dynamics, labels)));
+    }
     if !e.outputs.names.is_empty() {
         let outputs =
             |roots: &[Expr]| Output { shape: Shape::Outputs, roots: roots.to_vec(), labels: e.outputs.names.clone() };
@@ -218,6 +233,11 @@ pub fn entries(equations: &Equations) -> Vec<Entry> {
     all
 }
 
+const MOMENTA: &str = "momenta";
+const INVERSE_DYNAMICS: &str = "inverse_dynamics";
+/// What is emitted in terms of other functions where M is told by what it does alone.
+const WITHOUT_MATRIX: [&str; 6] =
+    ["accelerations", "velocity_rates", "mass_matrix", "forcing", "mass_matrix_and_forcing", "inertia"];
 const OUTPUTS: &str = "outputs";
 const CARRIED_OUTPUTS: &str = "carried_outputs";
 

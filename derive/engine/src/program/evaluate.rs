@@ -60,6 +60,7 @@ impl Programs {
             Leaf::Coordinate(i) => values(equations.coordinates[i]),
             Leaf::Speed(i) => values(equations.speeds[i]),
             Leaf::Carrier(i) => values(equations.carriers[i]),
+            Leaf::SpeedRate(i) => values(equations.velocity_rate_symbols[i]),
             Leaf::CarrierRate(i) => values(equations.outputs.carrier_rates[i]),
             Leaf::Multiplier(i) => {
                 let symbol = equations.outputs.reactions.iter().find(|(_, at)| *at == i);

@@ -87,6 +87,7 @@ impl<'a> Lowering<'a> {
                 Node::Product(factors) => self.product(&factors, &uses),
                 Node::Function(Function::Sin, arguments) => self.turn(arguments[0], &splits).0,
                 Node::Function(Function::Cos, arguments) => self.turn(arguments[0], &splits).1,
+                Node::Function(Function::Whole, arguments) => self.closed(arguments[0]),
                 Node::Function(function, arguments) => self.function(function, &arguments),
             };
             self.terms[e.index()] = Some(term);
@@ -214,6 +215,15 @@ impl<'a> Lowering<'a> {
             (function, arguments) => Unit::Call(function, arguments.into()),
         };
         self.of_unit(unit, Stage::Constant)
+    }
+
+    /// The term of an expression as one unit with its coefficient, which nothing that follows takes apart.
+    fn closed(&mut self, e: Expr) -> Term {
+        let term = self.term(e);
+        let (negative, magnitude) = self.magnitude(term.coefficient);
+        let id = self.magnitude_unit(magnitude, &term.factors);
+        let one = self.graph.one();
+        Term { coefficient: if negative { self.graph.neg(one) } else { one }, factors: vec![(id, 1)] }
     }
 
     /// The term as one unit, its sign as a `Negative`.

@@ -7,6 +7,7 @@
 //! | [`lower`] | the graph as units: parameter-only work split off, like terms collected |
 //! | [`angles`] | sines and cosines, those of sums of angles by products |
 //! | [`collect`] | sums with their coefficients grouped and common factors taken out |
+//! | [`mod@cycles`] | how long a program takes, in estimate |
 //! | [`share`] | the most frequent pairs of factors and of terms, each computed once |
 //! | [`operation`] | the straight-line program and its operation counts |
 //! | [`schedule`] | units as binary operations, ordered by stage |
@@ -17,6 +18,7 @@
 
 pub mod angles;
 pub mod collect;
+pub mod cycles;
 pub mod entry;
 pub mod evaluate;
 pub mod layout;
@@ -30,8 +32,9 @@ pub mod share;
 pub(crate) mod tests;
 pub mod unit;
 
+pub use cycles::eliminated;
 pub use entry::{Arguments, Entry, Output, Shape};
 pub use layout::{Block, Layout, Let, Part};
 pub use names::Names;
 pub use operation::{Code, Count, Leaf, Operation, Reference};
-pub use plan::{Program, Programs, Values, programs, weight};
+pub use plan::{Program, Programs, Values, cycles, programs, weight};

@@ -23,7 +23,7 @@ const KEYWORDS: &[&str] = &[
 const FORBIDDEN: &[&str] = &["self", "Self", "super", "crate", "_", ""];
 
 /// The arguments of emitted functions, which no local name may hide.
-pub const ARGUMENTS: &[&str] = &["p", "t", "s", "i", "at", "v", "w", "dw", "lambda", "part"];
+pub const ARGUMENTS: &[&str] = &["p", "t", "s", "i", "at", "v", "dv", "w", "dw", "lambda", "part"];
 
 /// The name as a Rust identifier, raw where it is a keyword.
 pub fn identifier(name: &str) -> String {
@@ -143,7 +143,7 @@ impl Names {
             Leaf::StateCoordinate(i) => &self.state[i],
             Leaf::StateSpeed(i) => &self.state[self.state_coordinates + i],
             Leaf::Coordinate(i) => &self.coordinates[i],
-            Leaf::Speed(i) => &self.velocities[i],
+            Leaf::Speed(i) | Leaf::SpeedRate(i) => &self.velocities[i],
             Leaf::Carrier(i) => &self.carriers[i],
             Leaf::CarrierRate(i) => &self.carrier_rates[i],
             Leaf::Multiplier(i) => &self.multipliers[i],
@@ -158,6 +158,7 @@ impl Names {
             Leaf::Parameter(_) | Leaf::Value(_) => "p.",
             Leaf::StateCoordinate(_) | Leaf::StateSpeed(_) => "s.",
             Leaf::Speed(_) => "v.",
+            Leaf::SpeedRate(_) => "dv.",
             Leaf::Multiplier(_) => "lambda.",
             Leaf::Input(_) => "i.",
         }
@@ -166,6 +167,9 @@ impl Names {
     /// A lower-case description of a step by its operands' descriptions, where it stays short.
     pub fn describe(&self, operation: &Operation, of: &dyn Fn(Reference) -> Option<String>) -> Option<String> {
         let text = match operation {
+            Operation::Read(Leaf::SpeedRate(i)) => {
+                format!("d{}", self.velocities[*i].trim_start_matches("r#").to_lowercase())
+            }
             Operation::Read(leaf) => self.of(*leaf).trim_start_matches("r#").to_lowercase(),
             Operation::Number(number) => word(number)?,
             Operation::Negate(a) => format!("minus_{}", of(*a)?),

@@ -25,6 +25,8 @@ pub enum Leaf {
     Coordinate(usize),
     /// An entry of v.
     Speed(usize),
+    /// An entry of v̇.
+    SpeedRate(usize),
     /// An entry of the carriers w.
     Carrier(usize),
     /// An entry of ẇ.

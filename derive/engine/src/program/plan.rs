@@ -121,6 +121,15 @@ pub fn weight(graph: &mut Graph, roots: &[Expr]) -> usize {
     })
 }
 
+/// How long the cheapest program for the expressions takes, in estimate.
+pub fn cycles(graph: &mut Graph, roots: &[Expr]) -> usize {
+    graph.without_new_assumptions(|graph| {
+        let place = |symbol: Symbol| Some(Leaf::StateSpeed(symbol.index()));
+        let found = cheapest(graph, &mut Rests::default(), roots, &place, &Registry::new(&[]));
+        found.map_or(usize::MAX, |(code, _)| code.cycles())
+    })
+}
+
 /// The program for one function.
 fn function(
     graph: &mut Graph,
@@ -229,6 +238,7 @@ fn places(equations: &Equations, arguments: Arguments) -> BTreeMap<Symbol, Leaf>
         arguments,
         Arguments::StateInputs
             | Arguments::CoordinatesVelocitiesInputs
+            | Arguments::CoordinatesVelocitiesRatesInputs
             | Arguments::ChartInputs(_)
             | Arguments::StateCarriersRates
     );
@@ -267,6 +277,11 @@ fn places(equations: &Equations, arguments: Arguments) -> BTreeMap<Symbol, Leaf>
         Arguments::CoordinatesVelocities | Arguments::CoordinatesVelocitiesInputs => {
             add(&e.coordinates, Leaf::Coordinate);
             add(&e.speeds, Leaf::Speed);
+        }
+        Arguments::CoordinatesVelocitiesRatesInputs => {
+            add(&e.coordinates, Leaf::Coordinate);
+            add(&e.speeds, Leaf::Speed);
+            add(&e.velocity_rate_symbols, Leaf::SpeedRate);
         }
     }
     if inputs {

@@ -231,7 +231,7 @@ fn stage_of(leaf: Leaf) -> Option<Stage> {
         Leaf::Time => Stage::Time,
         Leaf::StateCoordinate(_) | Leaf::Coordinate(_) => Stage::Coordinate,
         Leaf::StateSpeed(_) | Leaf::Speed(_) | Leaf::Carrier(_) | Leaf::Input(_) => Stage::Speed,
-        Leaf::CarrierRate(_) | Leaf::Multiplier(_) => Stage::Speed,
+        Leaf::SpeedRate(_) | Leaf::CarrierRate(_) | Leaf::Multiplier(_) => Stage::Speed,
     })
 }
 

@@ -54,6 +54,9 @@ pub fn reduce(
     let inertia = system.inertia.map(|entries| to_state(graph, carriers, tangent, entries));
     let forces = to_state(graph, carriers, tangent, &system.forces);
     let first = to_state(graph, carriers, tangent, &carriers.bias);
+    if system.open.is_some() {
+        return as_it_is(forces, tangent);
+    }
     let (carrier_inertia, carrier_forces) = match &carriers.partial_velocities {
         None => (inertia.clone(), forces.clone()),
         Some(partial) => project(graph, simplifier, &partial.transpose(), &inertia, &forces, &first),
@@ -87,6 +90,25 @@ pub fn reduce(
         forcing,
         complement,
         bias,
+    }
+}
+
+/// Of an open mechanism, whose speeds are all independent: D is the unit matrix, and M is not needed.
+fn as_it_is(forces: Vec<Expr>, tangent: &Tangent) -> Dynamics {
+    let none = || Matrix::from_rows(Vec::new(), 0);
+    Dynamics {
+        inertia: none(),
+        forces: forces.clone(),
+        carrier_inertia: none(),
+        carrier_forces: forces.clone(),
+        speed_inertia: none(),
+        speed_forces: forces.clone(),
+        speed_complement: tangent.complement.clone(),
+        speed_bias: tangent.bias.clone(),
+        mass_matrix: none(),
+        forcing: forces,
+        complement: tangent.complement.clone(),
+        bias: tangent.bias.clone(),
     }
 }
 

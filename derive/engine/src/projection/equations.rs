@@ -1,6 +1,7 @@
 //! The result of the projection: every quantity of the paper as expressions.
 
 use super::outputs::Outputs;
+use crate::model::Mechanism;
 use crate::symbolic::{Expr, Graph, Matrix, Symbol};
 
 /// What a run must watch about a guard.
@@ -106,7 +107,7 @@ pub struct Equations {
     pub coordinate_rates: Vec<Expr>,
     /// u̇, solved for.
     pub accelerations: Vec<Expr>,
-    /// M_d = D M Dᵀ, k x k (4.10).
+    /// M_d = D M Dᵀ, k x k (4.10); without entries where `momenta` tell M.
     pub mass_matrix: Matrix,
     /// h_u* = D (h* - M a_u), k (4.10), (5.6).
     pub forcing: Vec<Expr>,
@@ -145,7 +146,7 @@ pub struct Equations {
     pub kinematic_matrix: Matrix,
     /// a0, n (2.1).
     pub kinematic_bias: Vec<Expr>,
-    /// M, n x n (2.3).
+    /// M, n x n (2.3); without entries where an open mechanism was eliminated joint by joint: `momenta` tell it then.
     pub inertia: Matrix,
     /// h*, n (2.3).
     pub forces: Vec<Expr>,
@@ -157,6 +158,14 @@ pub struct Equations {
     pub position_residual: Vec<Expr>,
     /// φ, or ḟ, of every row of C that binds velocities.
     pub velocity_residual: Vec<Expr>,
+    /// M v, n, of a model of bodies whose speeds are those of its joints; else empty.
+    pub momenta: Vec<Expr>,
+    /// M v̇ - h*, n, of the same models, over `velocity_rate_symbols`.
+    pub inverse_dynamics: Vec<Expr>,
+    /// v̇, as symbols.
+    pub velocity_rate_symbols: Vec<Symbol>,
+    /// The bodies, where the model has any.
+    pub mechanism: Option<Mechanism>,
     /// T, as the model gives it or vᵀ M v / 2.
     pub kinetic_energy: Expr,
     /// V, where the model gives it.
@@ -189,11 +198,28 @@ impl Equations {
         bound.map(|row| row.name.clone()).collect()
     }
 
+    /// The rates of (x, t) in the initial system (2.1).
+    pub fn initial_motion(&mut self) -> Vec<(Symbol, Expr)> {
+        let graph = &mut self.graph;
+        let v = graph.vars(&self.speeds);
+        let moved = self.kinematic_matrix.mul_vec(graph, &v);
+        let rates: Vec<Expr> = moved.into_iter().zip(&self.kinematic_bias).map(|(a, b)| graph.add(a, *b)).collect();
+        let mut motion: Vec<(Symbol, Expr)> = self.coordinates.iter().copied().zip(rates).collect();
+        motion.push((self.time, graph.one()));
+        motion
+    }
+
+    /// Whether M is told by what it does alone.
+    pub fn is_recursive(&self) -> bool {
+        self.inertia.rows() < self.speeds.len()
+    }
+
     /// Every expression of the result.
     pub fn roots(&self) -> Vec<Expr> {
         let mut equations = self.clone();
         let mut roots: Vec<Expr> = equations.groups().into_iter().flatten().map(|e| *e).collect();
         roots.extend(self.outputs.values.iter().chain(&self.outputs.carried));
+        roots.extend(self.momenta.iter().chain(&self.inverse_dynamics));
         roots
     }
 

@@ -61,6 +61,7 @@ pub mod tangent;
 mod tests;
 
 pub use alternatives::{Alternative, Alternatives, Quality};
+pub use bodies::{couplings, inverse_dynamics};
 pub use equations::{ChartEquations, Equations, Guard, GuardKind, Level, RowFacts};
 pub use motion::{COMPLIANCE_PIVOT, INERTIA_PIVOT};
 pub use outputs::{OutputFacts, Outputs};

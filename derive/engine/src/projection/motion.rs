@@ -12,7 +12,7 @@ use super::factorisation::{Factorisation, factorise};
 use super::guards::Guards;
 use super::messages;
 use super::tangent::Tangent;
-use crate::model::InitialSystem;
+use crate::model::{InitialSystem, Open};
 use crate::symbolic::{Expr, Graph, Matrix};
 use crate::syntax::Diagnostics;
 
@@ -50,6 +50,15 @@ pub fn solve(
     }
     let name = |system: &InitialSystem, i: usize| system.graph.name(bound.speeds[i]).to_owned();
     let span = system.places.inertia;
+    if let Some(Open { rates, pivots }) = system.open.clone() {
+        for (i, pivot) in pivots {
+            let called = format!("pivot of D M D\u{1d40} for {}", name(system, i));
+            if let Err(text) = guards.positive(&mut system.graph, pivot, &called, INERTIA_PIVOT, &[]) {
+                errors.report(span, messages::negative_inertia(&name(system, i), &text));
+            }
+        }
+        return Some(Solution { accelerations: rates, multipliers: None });
+    }
     let factors = match factorise(&mut system.graph, simplifier, &dynamics.mass_matrix) {
         Ok(factors) => factors,
         Err(i) => {

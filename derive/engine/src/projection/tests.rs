@@ -98,6 +98,8 @@ fn disk() -> Disk {
         forces: vec![h1, h2, h3, h4, h5, zero],
         kinetic: None,
         mechanism: None,
+        elimination: crate::syntax::Elimination::Matrix,
+        open: None,
         potential: None,
         rows: vec![],
         configuration: None,

@@ -120,6 +120,7 @@ pub fn cost(graph: &Graph, roots: &[Expr]) -> Cost {
                 Function::Sin | Function::Cos => {
                     cost.sincos += usize::from(angles.insert(arguments[0]));
                 }
+                Function::Whole => {}
                 Function::Sqrt => cost.roots += 1,
                 Function::Select | Function::Sign | Function::Abs => cost.selections += 1,
                 _ => cost.others += 1,

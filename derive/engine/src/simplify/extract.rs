@@ -321,6 +321,7 @@ fn node(graph: &Graph, classes: &Classes, term: &Term, place: &dyn Fn(&Id) -> us
             once.push((Once::Turn(place(&ids[0])), SINCOS));
             0
         }
+        Term::Function(Function::Whole, _) => 0,
         Term::Function(Function::Sqrt, _) => ROOT,
         Term::Function(Function::Select | Function::Sign | Function::Abs, _) => 1,
         Term::Function(..) => OTHER,

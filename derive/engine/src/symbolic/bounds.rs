@@ -96,6 +96,7 @@ impl Graph {
                 // A negative base with an integer exponent has a power of either sign.
                 Function::Power if found[arguments[0].index()].low >= 0.0 => Bounds { low: 0.0, high: f64::INFINITY },
                 Function::Power => Bounds::ALL,
+                Function::Whole => found[arguments[0].index()],
                 Function::Abs => {
                     let Bounds { low, high } = found[arguments[0].index()];
                     Bounds { low: low.max(-high).max(0.0), high: high.max(-low) }

@@ -108,6 +108,7 @@ impl Graph {
                         let sign = self.sign(arguments[0]);
                         self.mul(sign, rate[0])
                     }
+                    Function::Whole => self.whole(rate[0]),
                     Function::Sign => zero,
                     Function::Power => {
                         // d x^y = y x^(y-1) dx + x^y ln x dy

@@ -186,6 +186,7 @@ impl Graph {
                 let atom = factors.len() == 1 && factors[0].1 > 1;
                 (out, if atom { Binding::Atom } else { Binding::Product })
             }
+            Node::Function(Function::Whole, arguments) => texts[&arguments[0]].clone(),
             Node::Function(Function::Select, arguments) => {
                 let [condition, negative, other] = [0, 1, 2].map(|k: usize| texts[&arguments[k]].0.as_str());
                 (format!("if {condition} < 0 {{ {negative} }} else {{ {other} }}"), Binding::Sum)

@@ -156,6 +156,7 @@ pub fn double(function: Function, arguments: &[f64]) -> f64 {
         Function::Sinh => arguments[0].sinh(),
         Function::Cosh => arguments[0].cosh(),
         Function::Tanh => arguments[0].tanh(),
+        Function::Whole => arguments[0],
         Function::Abs => arguments[0].abs(),
         Function::Sign if arguments[0] == 0.0 || arguments[0].is_nan() => arguments[0],
         Function::Sign => arguments[0].signum(),

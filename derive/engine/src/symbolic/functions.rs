@@ -1,6 +1,6 @@
 //! Canonical elementary functions.
 
-use super::{Expr, Function, Graph, Node, Rational};
+use super::{Expr, Function, Graph, Node, Rational, Stage};
 
 /// Exponents up to this magnitude are multiplied out.
 const LARGEST_POWER: i64 = 999;
@@ -18,9 +18,21 @@ impl Graph {
             (Function::Sinh | Function::Cosh | Function::Tanh, [a]) => self.hyperbolic(function, *a),
             (Function::Abs, [a]) => self.abs(*a),
             (Function::Sign, [a]) => self.sign(*a),
+            (Function::Whole, [a]) => self.whole(*a),
             (Function::Power, [a, b]) => self.powf(*a, *b),
             (Function::Select, [condition, negative, other]) => self.select(*condition, *negative, *other),
             _ => self.intern(Node::Function(function, arguments.into())),
+        }
+    }
+
+    /// The same quantity, of which nothing that is made of it sees the inside: what a recursion passes on is not written out again
+    /// at every step. Only sums that change along the motion need it.
+    pub fn whole(&mut self, e: Expr) -> Expr {
+        let (constant, terms) = self.as_sum(e);
+        let several = terms.len() + usize::from(!constant.is_zero()) > 1;
+        match several && self.stage(e) > Stage::Parameter {
+            true => self.odd(Function::Whole, e),
+            false => e,
         }
     }
 

@@ -86,6 +86,7 @@ impl Point {
                 Function::Sin => self.turn(graph, arguments[0]).map(|(_, s)| s),
                 Function::Cos => self.turn(graph, arguments[0]).map(|(c, _)| c),
                 Function::Exp => self.exponential(graph, arguments[0]),
+                Function::Whole => self.child(arguments[0]),
                 Function::Sqrt => match self.child(arguments[0]) {
                     None => None,
                     Some(a) => Some(self.root(a)?),

@@ -105,6 +105,8 @@ pub enum Function {
     Power,
     /// The second argument where the first is negative, else the third.
     Select,
+    /// Its argument, a sum, computed once and never opened.
+    Whole,
     /// A function of the user's, or one of its derivatives: a position in the graph's table.
     Given(u32),
 }
@@ -135,6 +137,7 @@ impl Function {
             Function::Sign => "sign",
             Function::Power => "powf",
             Function::Select => "select",
+            Function::Whole => "whole",
             Function::Given(_) => "given",
         }
     }

@@ -146,6 +146,9 @@ impl Algebra for Scaled<'_> {
             Function::Given(at) => (0.7 * values[0] + f64::from(at)).sin() + 0.3 * values[0],
             _ => super::evaluate::double(function, &values),
         };
+        if function == Function::Whole {
+            return arguments[0];
+        }
         (x, x.abs() + arguments.iter().map(|a| a.1).sum::<f64>())
     }
 }

@@ -76,6 +76,51 @@ impl Graph {
         turned
     }
 
+    /// R C Rᵀ of any tensor about a coordinate axis, by what its block across the axis differs from a multiple of one: with
+    /// t = (a - d) cos - (b + e) sin the block [a b; e d] becomes [d + t cos, b + t sin; e + t sin, a - t cos]. `None` about
+    /// other axes.
+    pub fn turned_about_axis(&mut self, rotation: &Rotation, tensor: &Rotation) -> Option<Rotation> {
+        let k =
+            (0..3).find(|k| rotation[*k] == self.axis(*k) && (0..3).all(|i| rotation[i][*k] == self.axis(*k)[i]))?;
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        let (cos, sin) = (rotation[i][i], rotation[j][i]);
+        if rotation[j][j] != cos || rotation[i][j] != self.neg(sin) {
+            return None;
+        }
+        let (a, d) = (tensor[i][i], tensor[j][j]);
+        let (difference, sum) = (self.sub(a, d), self.add(tensor[i][j], tensor[j][i]));
+        let (along, across) = (self.mul(difference, cos), self.mul(sum, sin));
+        let t = self.sub(along, across);
+        let (by_cos, by_sin) = (self.mul(t, cos), self.mul(t, sin));
+        let mut turned = *tensor;
+        turned[i][i] = self.add(d, by_cos);
+        turned[j][j] = self.sub(a, by_cos);
+        turned[i][j] = self.add(tensor[i][j], by_sin);
+        turned[j][i] = self.add(tensor[j][i], by_sin);
+        let mut vector = |x: Expr, y: Expr| {
+            let terms = [self.mul(cos, x), self.mul(sin, y), self.mul(sin, x), self.mul(cos, y)];
+            (self.sub(terms[0], terms[1]), self.add(terms[2], terms[3]))
+        };
+        (turned[i][k], turned[j][k]) = vector(tensor[i][k], tensor[j][k]);
+        (turned[k][i], turned[k][j]) = vector(tensor[k][i], tensor[k][j]);
+        Some(turned)
+    }
+
+    /// R C Rᵀ of any tensor.
+    pub fn turned_both(&mut self, rotation: &Rotation, tensor: &Rotation) -> Rotation {
+        if let Some(turned) = self.turned_about_axis(rotation, tensor) {
+            return turned;
+        }
+        // Rows of R C.
+        let half: Rotation = std::array::from_fn(|i| self.turned_back(tensor, &rotation[i]));
+        std::array::from_fn(|i| std::array::from_fn(|j| self.dot(&half[i], &rotation[j])))
+    }
+
+    /// The vector, its components whole.
+    pub fn whole_vector(&mut self, a: &Triple) -> Triple {
+        a.map(|e| self.whole(e))
+    }
+
     /// The rotation by an angle about a unit axis (Rodrigues): cos 1 + sin n× + (1 - cos) n nᵀ.
     pub fn rotation(&mut self, axis: &Triple, angle: Expr) -> Rotation {
         let (sin, cos) = (self.sin(angle), self.cos(angle));

@@ -92,13 +92,24 @@ pub struct Unit {
     pub factors: Vec<(String, i32)>,
 }
 
-/// `#[holonomy(crate = path, simplify = off)]`.
+/// How the motion of bodies is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Elimination {
+    /// By M_d as a whole.
+    Matrix,
+    /// Joint by joint from the leaves, where nothing ties the joints.
+    Recursive,
+}
+
+/// `#[holonomy(crate = path, simplify = off, elimination = recursive)]`.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// The path under which emitted code finds the runtime.
     pub krate: Path,
     /// Whether the search for cheaper forms runs.
     pub simplify: bool,
+    /// How the motion of bodies is to be found, where the model says so.
+    pub elimination: Option<(Elimination, Span)>,
 }
 
 /// A name that a statement introduces, with the doc comment before it.

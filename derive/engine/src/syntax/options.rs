@@ -1,14 +1,14 @@
-//! `#[holonomy(crate = path, simplify = off)]`
+//! `#[holonomy(crate = path, simplify = off, elimination = recursive)]`
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::Path;
 use syn::parse::Parser;
 
-use super::declarations::Options;
+use super::declarations::{Elimination, Options};
 use super::diagnostics::{Diagnostics, did_you_mean, messages, nearest};
 use super::entries::Entry;
 
-const OPTIONS: [&str; 2] = ["crate", "simplify"];
+const OPTIONS: [&str; 3] = ["crate", "simplify", "elimination"];
 
 /// `::holonomy`
 pub(crate) fn default_crate(span: Span) -> Path {
@@ -21,7 +21,7 @@ pub(crate) fn default_crate(span: Span) -> Path {
 pub(crate) fn read(entries: &[Entry], options: &mut Options, diagnostics: &mut Diagnostics) {
     let mut seen: Vec<String> = Vec::new();
     for entry in entries {
-        let form = "crate = path` or `simplify = off";
+        let form = "crate = path`, `simplify = off` or `elimination = recursive";
         let Some((left, equals, right)) = entry.assignment(form, diagnostics) else {
             continue;
         };
@@ -43,6 +43,15 @@ pub(crate) fn read(entries: &[Entry], options: &mut Options, diagnostics: &mut D
                 [TokenTree::Ident(value)] if value == "off" => options.simplify = false,
                 [TokenTree::Ident(value)] if value == "on" => options.simplify = true,
                 _ => diagnostics.report_local(place(right, equals), messages::option_simplify()),
+            },
+            "elimination" => match right {
+                [TokenTree::Ident(value)] if value == "matrix" => {
+                    options.elimination = Some((Elimination::Matrix, value.span()));
+                }
+                [TokenTree::Ident(value)] if value == "recursive" => {
+                    options.elimination = Some((Elimination::Recursive, value.span()));
+                }
+                _ => diagnostics.report_local(place(right, equals), messages::option_elimination()),
             },
             _ => {
                 let meant = did_you_mean(nearest(&text, OPTIONS));

@@ -41,7 +41,7 @@ pub(crate) fn declarations(input: DeriveInput, diagnostics: &mut Diagnostics) ->
         ident: input.ident,
         vis: input.vis,
         generics: input.generics,
-        options: Options { krate, simplify: true },
+        options: Options { krate, simplify: true, elimination: None },
         coordinates: Vec::new(),
         speeds: None,
         inputs: Vec::new(),

@@ -60,6 +60,8 @@ pub(in crate::model) fn mechanism(vocabulary: &mut Vocabulary<'_>, diagnostics: 
         lines,
         generalized,
         releases,
+        along: None,
+        whole: false,
     })
 }
 

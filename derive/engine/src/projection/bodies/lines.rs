@@ -1,19 +1,11 @@
 //! Springs, dampers and armatures: what acts along a scalar of the configuration.
 
-use super::Sums;
-use super::energy::Potential;
+use super::further::Further;
 use crate::model::mechanism::{Line, LineKind};
 use crate::symbolic::{Expr, Graph, Rational, Symbol};
 
 /// Adds them: with d = ∂ṡ/∂v a force Q along s is d Q in h*, and an inertia j is j d dᵀ in M and -j d s̈ for v̇ = 0 in h*.
-pub fn add(
-    graph: &mut Graph,
-    lines: &[Line],
-    speeds: &[Symbol],
-    motion: &[(Symbol, Expr)],
-    sums: &mut Sums,
-    potential: &mut Potential,
-) {
+pub fn add(graph: &mut Graph, lines: &[Line], speeds: &[Symbol], motion: &[(Symbol, Expr)], sums: &mut Further) {
     for line in lines {
         let gradient = graph.jacobian(&[line.rate], speeds).row(0).to_vec();
         let force = match &line.kind {
@@ -21,16 +13,16 @@ pub fn add(
                 let stretch = graph.sub(line.length, *rest);
                 let square = graph.powi(stretch, 2);
                 let energy = graph.mul(*stiffness, square);
-                potential.terms.push(graph.scale(Rational::Small(1, 2), energy));
+                sums.potential.terms.push(graph.scale(Rational::Small(1, 2), energy));
                 graph.mul(*stiffness, stretch)
             }
             LineKind::Damper { coefficient } => graph.mul(*coefficient, line.rate),
             LineKind::Armature { inertia } => {
                 for (i, j) in (0..speeds.len()).flat_map(|i| (0..=i).map(move |j| (i, j))) {
                     let entry = graph.product(&[*inertia, gradient[i], gradient[j]]);
-                    let sum = graph.add(sums.inertia.get(i, j), entry);
-                    sums.inertia.set(i, j, sum);
-                    sums.inertia.set(j, i, sum);
+                    let sum = graph.add(sums.along.inertia.get(i, j), entry);
+                    sums.along.inertia.set(i, j, sum);
+                    sums.along.inertia.set(j, i, sum);
                 }
                 let square = graph.powi(line.rate, 2);
                 let twice = graph.mul(*inertia, square);
@@ -40,7 +32,7 @@ pub fn add(
                 graph.mul(*inertia, second)
             }
         };
-        for (total, slope) in sums.forces.iter_mut().zip(&gradient) {
+        for (total, slope) in sums.along.forces.iter_mut().zip(&gradient) {
             let part = graph.mul(*slope, force);
             *total = graph.sub(*total, part);
         }

@@ -14,58 +14,76 @@
 //! |---|---|
 //! | `rotors` | symmetric bodies need not turn their axes |
 //! | `sweep` | velocities and accelerations, outwards |
+//! | `partial` | partial velocities step by step, and what moves with them |
 //! | `spatial` | inertias about points, moved and turned |
-//! | `recursive` | composite inertias and forces inwards, where v are rates: O(n²) in a chain |
+//! | `acting` | what acts at the nodes for v̇ = 0 |
+//! | `recursive` | composite inertias and forces inwards, where every step has speeds of its own: O(n²) in a chain |
 //! | `direct` | body by body, where v are speeds of the model's own |
-//! | `energy` | T, and V of gravity |
+//! | `articulated` | inertias of what gives way, and v̇ by them: O(n) |
+//! | `open` | the equations of an open mechanism, without M |
+//! | `inverse` | M v and M v̇ - h* without M: O(n) |
+//! | `energy` | V of gravity |
 //! | `lines` | springs, dampers, armatures |
+//! | `further` | all that acts along the speeds and is no body's |
 //! | `releases` | reactions of joints that are no constraints |
 
+mod acting;
+mod articulated;
 mod direct;
 mod energy;
+mod further;
+mod inverse;
 mod lines;
+mod open;
+mod partial;
 mod recursive;
 mod releases;
 mod rotors;
 mod spatial;
 mod sweep;
 
+pub use inverse::tell as inverse_dynamics;
+pub use partial::couplings;
+
 use super::Simplifier;
 use super::constraints::motion;
 use crate::model::InitialSystem;
-use crate::symbolic::{Expr, Matrix, Symbol};
+use crate::symbolic::{Expr, Matrix};
+use crate::syntax::Elimination;
+use acting::acting;
+use further::further;
 
-/// M, h*, T and V of a system of bodies; what the model lists as forces is added to h*.
+/// M, h*, T and V of a system of bodies; what the model lists as forces is added to h*. Where the motion is to be eliminated joint by
+/// joint and can be, there is v̇ instead of M.
 pub fn complete(system: &mut InitialSystem, simplifier: &mut dyn Simplifier) {
     let Some(mut mechanism) = system.mechanism.take() else { return };
     let motion = motion(system);
     let n = system.speeds.len();
     let speeds = releases::extended(system, &mut mechanism);
     let own = system.rates_are_speeds();
+    rotors::stop(&mut system.graph, &mut mechanism);
+    if system.elimination == Elimination::Recursive && open::complete(system, &mechanism, &speeds, &motion) {
+        return;
+    }
+    let potential = energy::potential(&mut system.graph, &mechanism);
+    let mut further = further(system, &mechanism, &speeds, &motion, potential);
     let graph = &mut system.graph;
-    rotors::stop(graph, &mut mechanism);
     let mut sums = match own {
-        true => recursive::equations(graph, &mechanism, &speeds, &motion),
+        true => {
+            let columns = partial::columns(graph, &mechanism, &speeds);
+            let acting = acting(graph, &mechanism, &motion);
+            let inertia = recursive::inertia(graph, &mechanism, &columns, &acting.own, speeds.len());
+            let forces = recursive::collected(graph, &mechanism, &columns, acting.wrenches, speeds.len());
+            Sums { inertia, forces, kinetic: acting.kinetic }
+        }
         false => direct::equations(graph, simplifier, &mechanism, &speeds, &motion),
     };
-    let mut potential = energy::potential(graph, &mechanism);
-    lines::add(graph, &mechanism.lines, &speeds, &motion, &mut sums, &mut potential);
-    if let Some(given) = system.potential {
-        potential.terms.push(given);
-        let slopes = graph.jacobian(&[given], &system.coordinates);
-        let mut driven = system.kinematics.a.transpose().mul_vec(graph, slopes.row(0));
-        let released: Vec<Symbol> = mechanism.releases.iter().map(|release| release.coordinate).collect();
-        driven.extend(graph.jacobian(&[given], &released).row(0));
-        for (force, slope) in sums.forces.iter_mut().zip(driven) {
-            *force = graph.sub(*force, slope);
-        }
-    }
-    let mut potential = potential.total(graph);
+    further.add_to(graph, &mut sums.inertia, &mut sums.forces);
+    sums.kinetic = graph.add(sums.kinetic, further.kinetic);
+    let mut potential = further.potential.total(graph);
     releases::hold(graph, &mechanism.releases, &mut sums, &mut potential);
-    for ((force, listed), further) in sums.forces.iter_mut().zip(&system.forces).zip(&mechanism.generalized) {
-        *force = graph.sum(&[*force, *listed, *further]);
-    }
-    releases::tell(system, &mechanism.releases, &sums);
+    let told: Vec<Expr> = releases::asked(system, &mechanism.releases, &sums);
+    releases::tell(system, &mechanism.releases, &told);
     let graph = &mut system.graph;
     let mut inertia = Matrix::zeros(graph, n, n);
     for (i, j) in (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))) {
@@ -78,6 +96,9 @@ pub fn complete(system: &mut InitialSystem, simplifier: &mut dyn Simplifier) {
     system.forces = sums.forces[..n].iter().map(|force| simplifier.one(graph, *force)).collect();
     system.kinetic = Some(sums.kinetic);
     system.potential = potential;
+    releases::hold_along(graph, &mechanism.releases, &mut further, &mut None);
+    mechanism.along = Some(further.along);
+    system.mechanism = Some(mechanism);
 }
 
 /// What bodies and lines add up to.

@@ -45,6 +45,18 @@ impl Wrench {
         Wrench { force: graph.plus(&self.force, &other.force), torque: graph.plus(&self.torque, &other.torque), passed }
     }
 
+    /// This without the other one, which is no further inwards.
+    pub fn less(&self, other: &Wrench, graph: &mut Graph) -> Wrench {
+        let (force, torque) = (graph.minus(&self.force, &other.force), graph.minus(&self.torque, &other.torque));
+        Wrench { force, torque, passed: self.passed.clone() }
+    }
+
+    /// Its components whole.
+    pub fn whole(self, graph: &mut Graph) -> Wrench {
+        let passed = self.passed.iter().map(|vector| graph.whole_vector(vector)).collect();
+        Wrench { force: graph.whole_vector(&self.force), torque: graph.whole_vector(&self.torque), passed }
+    }
+
     /// All of the force.
     fn total(&self, graph: &mut Graph) -> Triple {
         match self.passed.last() {

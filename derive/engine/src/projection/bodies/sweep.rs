@@ -28,22 +28,30 @@ pub struct Bias {
 /// What a linear quantity has more than at the last node outwards with the axes of the inertial frame: going back to these axes,
 /// only that is turned.
 #[derive(Clone, Copy, Debug)]
-struct Since {
-    node: usize,
+pub struct Since {
+    /// That node.
+    pub node: usize,
     more: Triple,
 }
 
 impl Since {
-    fn turned_back(self, graph: &mut Graph, rotation: &Rotation) -> Since {
+    /// From a node outwards.
+    pub fn new(node: usize, more: Triple) -> Self {
+        Since { node, more }
+    }
+
+    /// In the axes of a node that turns.
+    pub fn turned_back(self, graph: &mut Graph, rotation: &Rotation) -> Since {
         Since { more: graph.turned_back(rotation, &self.more), ..self }
     }
 
-    fn plus(self, graph: &mut Graph, more: &Triple) -> Since {
+    /// With what a step adds.
+    pub fn plus(self, graph: &mut Graph, more: &Triple) -> Since {
         Since { more: graph.plus(&self.more, more), ..self }
     }
 
     /// In the axes of the inertial frame, from what that node has.
-    fn carried(self, graph: &mut Graph, rotations: &[Rotation], there: &Triple) -> Triple {
+    pub fn carried(self, graph: &mut Graph, rotations: &[Rotation], there: &Triple) -> Triple {
         let turned = rotations.iter().fold(self.more, |vector, rotation| graph.turned(rotation, &vector));
         graph.plus(there, &turned)
     }
@@ -79,6 +87,10 @@ pub fn twists(graph: &mut Graph, mechanism: &Mechanism) -> Vec<Twist> {
                 Twist { velocity, omega: still, axes: still, since: Since { node: at, more: still } }
             }
         });
+        if mechanism.whole {
+            let twist = &mut twists[at];
+            (twist.velocity, twist.omega) = (graph.whole_vector(&twist.velocity), graph.whole_vector(&twist.omega));
+        }
     }
     twists
 }
@@ -126,6 +138,10 @@ pub fn biases(graph: &mut Graph, mechanism: &Mechanism, twists: &[Twist], motion
                 Bias { linear, angular: still, since: Since { node: at, more: still } }
             }
         });
+        if mechanism.whole {
+            let bias = &mut biases[at];
+            (bias.linear, bias.angular) = (graph.whole_vector(&bias.linear), graph.whole_vector(&bias.angular));
+        }
     }
     biases
 }

@@ -44,13 +44,15 @@ messages! {
     statement_without_list(name) =
         "expected a list in parentheses: `#[{name}(..)]`";
     option_unknown(name, did_you_mean) =
-        "there is no option `{name}`{did_you_mean} (the options are `crate` and `simplify`)";
+        "there is no option `{name}`{did_you_mean} (the options are `crate`, `simplify` and `elimination`)";
     option_twice(name) =
         "the option `{name}` is given twice";
     option_crate() =
         "expected a path, such as `crate = ::holonomy`";
     option_simplify() =
         "expected `on` or `off`";
+    option_elimination() =
+        "expected `matrix` or `recursive`";
 }
 
 // The form of a statement's entries.

@@ -79,7 +79,7 @@ fn forms_of_statements() {
         (
             r#"holonomy(simplfy = off, crate = "x", simplify = maybe)"#,
             &[
-                "1:12 `simplfy`: there is no option `simplfy`; did you mean `simplify`? (the options are `crate` and `simplify`)",
+                "1:12 `simplfy`: there is no option `simplfy`; did you mean `simplify`? (the options are `crate`, `simplify` and `elimination`)",
                 "1:35 `\"x\"`: expected a path, such as `crate = ::holonomy`",
                 "1:51 `maybe`: expected `on` or `off`",
             ],

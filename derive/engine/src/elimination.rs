@@ -1,0 +1,107 @@
+//! Whether an open mechanism is eliminated joint by joint: O(n) operations in a long chain of divisions, or O(n³) side by side.
+//!
+//! Both are judged by [`cycles`](crate::program::Code::cycles), not by counts. Joint by joint the equations are soon found. M_d as a
+//! whole is not even derived where its factorisation alone, along the zero pattern of the tree, takes longer, and no cheaper forms of
+//! it are searched where it takes longer as it comes, by more than forms are likely to save.
+
+use crate::model::InitialSystem;
+use crate::program::{cycles, eliminated};
+use crate::projection::{AsIs, Equations, couplings, inverse_dynamics, messages, project};
+use crate::symbolic::Expr;
+use crate::syntax::{Diagnostics, Elimination};
+use proc_macro2::Span;
+
+/// Mechanisms of fewer speeds have M_d as a whole without a question.
+const FEWEST: usize = 6;
+/// What part of a motion as it comes may be saved by cheaper forms.
+const SAVED: usize = 10;
+
+/// Operations in an entry of M_d off the diagonal, as of a cosine of a difference.
+const ENTRY: usize = 4;
+/// ... and in the solution, for each entry of L: forwards and backwards.
+const SOLVED: usize = 4;
+
+/// The motion joint by joint, and what it takes.
+pub struct Recursive {
+    equations: Equations,
+    cycles: usize,
+    /// What M_d as a whole takes, as far as it is known.
+    whole: usize,
+    /// Whether the model asks for it.
+    asked: bool,
+}
+
+/// The equations joint by joint, where the mechanism has them and they are wanted or may be better. An error where they are wanted and
+/// the mechanism has none.
+pub fn joint_by_joint(
+    system: &InitialSystem,
+    wanted: Option<(Elimination, Span)>,
+) -> Result<Option<Recursive>, Diagnostics> {
+    let asked = match wanted {
+        Some((Elimination::Recursive, span)) => Some(span),
+        Some((Elimination::Matrix, _)) => return Ok(None),
+        None if system.mechanism.is_none() || system.speeds.len() < FEWEST => return Ok(None),
+        None => None,
+    };
+    let mut tried = system.clone();
+    tried.elimination = Elimination::Recursive;
+    let equations = project(tried, &mut AsIs)?;
+    if !equations.is_recursive() {
+        return match asked {
+            Some(span) => {
+                let mut errors = Diagnostics::new();
+                errors.report(span, messages::not_joint_by_joint());
+                Err(errors)
+            }
+            None => Ok(None),
+        };
+    }
+    let (cycles, whole) = (of_motion(&equations), factorisation(&equations));
+    Ok(Some(Recursive { equations, cycles, whole, asked: asked.is_some() }))
+}
+
+impl Recursive {
+    /// How many expressions there are.
+    pub fn size(&self) -> usize {
+        self.equations.graph.len()
+    }
+
+    /// Whether it is asked for, or M_d as a whole takes longer without a doubt.
+    pub fn is_surely_faster(&mut self, system: &InitialSystem) -> bool {
+        if self.asked || self.cycles <= self.whole {
+            return true;
+        }
+        if let Ok(equations) = project(system.clone(), &mut AsIs) {
+            self.whole = of_motion(&equations);
+        }
+        self.cycles <= self.whole - self.whole / SAVED
+    }
+
+    /// Whether the motion by M_d as a whole takes longer in the forms that were found.
+    pub fn is_faster_than(&mut self, equations: &Equations) -> bool {
+        self.whole = of_motion(equations);
+        self.cycles < self.whole
+    }
+
+    /// The equations, told why.
+    pub fn taken(self) -> Equations {
+        let mut equations = self.equations;
+        equations.notes.push(messages::joint_by_joint(self.cycles, self.whole));
+        inverse_dynamics(&mut equations);
+        equations
+    }
+}
+
+/// Cycles that M_d as a whole takes at least: its entries, L D Lᵀ from the leaves along the tree, and the solution.
+fn factorisation(equations: &Equations) -> usize {
+    let inwards = couplings(equations);
+    let deepest = inwards.iter().max().map_or(0, |inwards| inwards + 1);
+    let each = |a: &usize| a * (ENTRY + 1 + SOLVED) + a * (a + 1);
+    eliminated(inwards.iter().map(each).sum(), inwards.len(), deepest)
+}
+
+/// What the rates of a state take.
+fn of_motion(equations: &Equations) -> usize {
+    let roots: Vec<Expr> = equations.coordinate_rates.iter().chain(&equations.accelerations).copied().collect();
+    cycles(&mut equations.graph.clone(), &roots)
+}
