@@ -9,8 +9,8 @@ use claims::evaluated::{joint_by_joint, projected, simplified};
 use holonomy_engine::projection::Equations;
 use oracle::Report;
 use random::{counted, mechanism};
-use support::parallel;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use support::parallel;
 use support::splitmix::SplitMix;
 
 /// How many as the equations come, ...

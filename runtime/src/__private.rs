@@ -13,6 +13,11 @@ pub use nalgebra::SMatrix;
 
 use crate::{Error, GuardInfo, GuardKind, Scalar, Vector};
 
+/// The unit matrix.
+pub fn unit<T: Scalar, const N: usize>() -> SMatrix<T, N, N> {
+    SMatrix::from_fn(|i, j| T::from_f64(if i == j { 1.0 } else { 0.0 }))
+}
+
 /// A symmetric matrix by what it makes of unit vectors.
 pub fn symmetric<T: Scalar, V: Vector<T>, const N: usize>(of: impl Fn(&V) -> V) -> SMatrix<T, N, N> {
     let mut matrix = SMatrix::from_fn(|_, _| T::from_f64(0.0));

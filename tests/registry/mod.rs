@@ -128,6 +128,7 @@ macro_rules! every_model {
                 TwoRods(m, l, g)
                 FiveRods(m, l, g)
                 TenRods(m, l, g)
+                TenRodsByJoints(m, l, g)
                 TwentyRods(m, l, g);
             "tests/models/geometry/sleigh.rs" sleigh:
                 BladedSleigh(m, i, a);

@@ -25,7 +25,9 @@ pub(super) fn figures<M: ConstrainedSystem, T: Scalar>(
     t: T,
     s: &M::State<T>,
 ) -> M::ChartGuards<T> {
+    // A model of one chart has no other guards, and its derivative need not be compiled once more for them.
     match chart {
+        _ if M::MODEL.charts.len() < 2 => widen::<M, T>(M::guards(model.values(), t, s)),
         0 => widen::<M, T>(M::guards(model.values(), t, s)),
         _ => M::chart_derivative(chart, model.values(), t, s, &M::Inputs::from_fn(|_| T::default())).1,
     }

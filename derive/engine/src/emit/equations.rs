@@ -99,12 +99,17 @@ impl<'a> Texts<'a> {
             c.each("chart_0_speeds", "(5.2)", names(&e.state_speeds), &e.chart_speeds[0]);
         }
         c.each("velocities", number("(4.4)", "(5.3)"), names(&e.speeds), &e.velocities);
-        c.matrix("complement", "D", number("(4.9)", "(3.1)"), &e.complement);
+        // Where M is told by what it does, D and A are unit matrices.
+        if !e.is_recursive() {
+            c.matrix("complement", "D", number("(4.9)", "(3.1)"), &e.complement);
+        }
         c.list("complement_bias", "a_u", number("(4.5)", "(5.5)"), &e.complement_bias);
         c.each("velocity_rates", number("(4.5)", "(5.5)"), c.dots(&e.speeds), &e.velocity_rates);
         let lambdas = e.multiplier_names.iter().map(|n| format!("lambda({n})")).collect();
         c.each("multipliers", "(3.6)", lambdas, &e.multipliers);
-        c.matrix("kinematic_matrix", "A", "(2.1)", &e.kinematic_matrix);
+        if !e.is_recursive() {
+            c.matrix("kinematic_matrix", "A", "(2.1)", &e.kinematic_matrix);
+        }
         c.list("kinematic_bias", "a0", "(2.1)", &e.kinematic_bias);
         match e.is_recursive() {
             true => c.list("momenta", "M v", "(2.3)", &e.momenta),
@@ -138,7 +143,7 @@ impl<'a> Texts<'a> {
         let mut push = |symbol: &str, function, source, text: String| {
             // What is beyond any reader is left out, and seen to be.
             let text = if text.len() > left { "…".to_owned() } else { text };
-            left -= text.len();
+            left = left.saturating_sub(text.len());
             lines.push(Line { symbol: symbol.to_owned(), function, source, text });
         };
         for entry in &self.entries {

@@ -98,6 +98,7 @@ pub fn function(target: &Target, types: &Types, programs: &Programs, program: &P
     }
     body.push_str(&writer.arrays(entry.arguments));
     body.push_str(&writer.part(last));
+    let krate = &target.krate;
     let mut at = 0;
     let packed: Vec<String> = entry
         .outputs
@@ -112,9 +113,13 @@ pub fn function(target: &Target, types: &Types, programs: &Programs, program: &P
                 Shape::Outputs => Some(&types.outputs),
                 _ => None,
             };
+            let outputs = &program.code.outputs[from..at];
+            if writer.is_unit(output.shape, outputs) {
+                return format!("{}::__private::unit()", quote!(#krate));
+            }
             let name = record.map(|r| target.type_name(r.suffix).to_string()).unwrap_or_default();
             let record = record.map(|r| (name.as_str(), r.fields.as_slice()));
-            writer.pack(output.shape, &program.code.outputs[from..at], record)
+            writer.pack(output.shape, outputs, record)
         })
         .collect();
     match packed.as_slice() {

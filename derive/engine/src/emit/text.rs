@@ -5,6 +5,9 @@ use crate::program::{Arguments, Block, Code, Layout, Leaf, Let, Names, Operation
 use crate::symbolic::{Function, Rational};
 use std::fmt::Write;
 
+/// Larger unit matrices are called so instead of being written out.
+const WRITTEN_OUT: usize = 9;
+
 /// Writes the steps of one program.
 pub struct Writer<'a> {
     /// The program.
@@ -205,6 +208,17 @@ impl Writer<'_> {
         if nested {
             let _ = writeln!(out, "{leave}\n}};");
         }
+    }
+
+    /// Whether results are a unit matrix too large to be written out.
+    pub fn is_unit(&self, shape: Shape, outputs: &[Reference]) -> bool {
+        let Shape::Matrix(rows, columns) = shape else { return false };
+        let unit = |at: usize, r: &Reference| match &self.code.operations[*r as usize] {
+            Operation::Number(number) if at / columns == at % columns => number.is_one(),
+            Operation::Number(number) => number.is_zero(),
+            _ => false,
+        };
+        rows == columns && rows > WRITTEN_OUT && outputs.iter().enumerate().all(|(at, r)| unit(at, r))
     }
 
     /// The results `outputs[from..from + n]` packed in a shape; `record` names the struct and its fields.

@@ -13,7 +13,7 @@ use crate::symbolic::{Expr, Graph, Symbol};
 use std::collections::BTreeMap;
 
 /// Above this many nodes only the factored form is tried.
-const BOTH_FORMS: usize = 4_000;
+const BOTH_FORMS: usize = 40_000;
 /// Functions of at most this many operations are marked for inlining; larger ones would be compiled many times over.
 const INLINED: usize = 120;
 

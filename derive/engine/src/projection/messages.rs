@@ -1,6 +1,7 @@
 //! Every sentence that the projection can say to a user, in one place.
 
 use crate::symbolic::{Expr, Graph};
+use crate::syntax::messages::counted;
 
 /// Two kinds of rows say different things about the same velocities.
 pub(crate) fn contradictory(name: &str, combination: &str) -> String {
@@ -222,6 +223,14 @@ pub(crate) fn not_joint_by_joint() -> String {
 pub(crate) fn joint_by_joint(cycles: usize, whole: usize) -> String {
     format!(
         "the motion is found joint by joint from the leaves: in estimate {cycles} cycles, by M_d as a whole {whole}"
+    )
+}
+
+pub(crate) fn immovable(speeds: usize) -> String {
+    format!(
+        "with this row the constraints leave the mechanism no degree of freedom: {} and as many independent rows, none of which time \
+         moves; take a constraint out, or add a coordinate",
+        counted(speeds, "speed", "speeds")
     )
 }
 

@@ -29,6 +29,13 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     let before = system.graph.assumptions();
     let tangent = tangent(&mut system, simplifier, &rows, &sorted.kept, &carried, &carriers, 0, &mut errors);
     let Some(tangent) = tangent else { return Err(errors) };
+    if tangent.speeds.is_empty()
+        && system.mechanism.is_some()
+        && let Some(last) = immovable(&system, &rows, &sorted.kept)
+    {
+        errors.report(rows[last].span, messages::immovable(system.speeds.len()));
+        return Err(errors);
+    }
     let start = judge(&system, &rows, &sorted.kept, &carried, &carriers, &tangent, &mut errors);
     if !errors.is_empty() {
         return Err(errors);
@@ -161,6 +168,13 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     };
     bind(&mut equations);
     Ok(equations)
+}
+
+/// The last row of a mechanism that nothing moves; `None` where time does.
+fn immovable(system: &InitialSystem, rows: &[DifferentiatedRow], kept: &[usize]) -> Option<usize> {
+    let moved =
+        |i: &usize| rows[*i].position.or(rows[*i].velocity).is_some_and(|e| system.graph.contains(e, &[system.time]));
+    if kept.iter().any(moved) { None } else { kept.iter().max().copied() }
 }
 
 /// T as the model gives it, else vᵀ M v / 2.

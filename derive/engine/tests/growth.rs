@@ -1,0 +1,118 @@
+//! How the equations of open mechanisms grow with the number of their links.
+
+use holonomy_engine::program::{Count, programs};
+use holonomy_engine::projection::Equations;
+use holonomy_engine::{analyse, expand};
+use proc_macro2::{TokenStream, TokenTree};
+
+const LINKS: [usize; 4] = [5, 10, 20, 40];
+
+fn tokens(text: &str) -> TokenStream {
+    text.parse().expect("tokens")
+}
+
+/// Uniform rods in a row, by absolute angles as a family.
+fn absolute(n: usize) -> TokenStream {
+    rods(n, "#[frame(L[i] = rotate(N, z, q[i]) for i in 0..n)]")
+}
+
+/// The same by the angles of their joints.
+fn relative(n: usize) -> TokenStream {
+    rods(n, "#[frame(L[0] = rotate(N, z, q[0]), L[i] = rotate(L[i - 1], z, q[i]) for i in 1..n)]")
+}
+
+fn rods(n: usize, frames: &str) -> TokenStream {
+    tokens(&format!(
+        "#[size(n = {n})] #[coordinates(q[n])] {frames}
+        #[point(P[0] = O, P[i] = P[i - 1] + l*L[i - 1].x for i in 1..n)]
+        #[body(rod[i] = {{ frame: L[i], center: P[i] + l/2*L[i].x, mass: m, inertia: rod(m, l, x) }} for i in 0..n)]
+        #[gravity(g*N.x)] #[holonomy(elimination = recursive)] struct Rods {{ m: f64, l: f64, g: f64 }}"
+    ))
+}
+
+/// Rods in space on joints of two axes.
+fn spatial(n: usize) -> TokenStream {
+    tokens(&format!(
+        "#[size(n = {n})] #[coordinates(a[n], b[n])]
+        #[frame(L[0] = rotate(rotate(N, x, a[0]), y, b[0]), L[i] = rotate(rotate(L[i - 1], x, a[i]), y, b[i]) for i in 1..n)]
+        #[point(P[0] = O, P[i] = P[i - 1] + l*L[i - 1].z for i in 1..n)]
+        #[body(rod[i] = {{ frame: L[i], center: P[i] + l/2*L[i].z, mass: m, inertia: cylinder(m, r, l, z) }} for i in 0..n)]
+        #[gravity(-g*N.z)] #[holonomy(elimination = recursive)] struct Rods {{ m: f64, l: f64, r: f64, g: f64 }}"
+    ))
+}
+
+fn derived(tokens: TokenStream) -> Equations {
+    match analyse(tokens) {
+        Ok(analysis) => analysis.equations,
+        Err(errors) => panic!("{:?}", errors.iter().map(|error| &error.message).collect::<Vec<_>>()),
+    }
+}
+
+fn count(equations: &Equations, function: &str) -> Count {
+    programs(equations).expect("every symbol is known").function(function).expect("it is emitted").count
+}
+
+fn all(tokens: TokenStream) -> usize {
+    let each = tokens.into_iter().map(|token| match token {
+        TokenTree::Group(group) => 2 + all(group.stream()),
+        _ => 1,
+    });
+    each.sum()
+}
+
+/// Operations of the motion, of M v and of M v̇ - h*, expressions in the arena, and tokens of what is emitted, per link.
+fn grows(name: &str, chain: impl Fn(usize) -> TokenStream, most: usize) {
+    println!("{name:24} {:>10} {:>10} {:>10} {:>10} {:>10}", "motion", "M v", "M v' - h*", "arena", "tokens");
+    let mut per_link = Vec::new();
+    for n in LINKS {
+        let equations = derived(chain(n));
+        assert!(equations.is_recursive() && equations.inertia.entries().is_empty());
+        let functions = ["derivative", "momenta", "inverse_dynamics"].map(|name| count(&equations, name).operations());
+        let emitted = all(expand(chain(n)));
+        let row = [functions[0], functions[1], functions[2], equations.graph.len(), emitted];
+        println!("{n:24} {:10} {:10} {:10} {:10} {:10}", row[0], row[1], row[2], row[3], row[4]);
+        per_link.push(row.map(|figure| figure as f64 / n as f64));
+    }
+    // A link more costs what the last one cost, and what blocks hand on is told in tokens as well.
+    let added = |from: usize, to: usize, at: usize| {
+        let (a, b) = (LINKS[from] as f64, LINKS[to] as f64);
+        (per_link[to][at] * b - per_link[from][at] * a) / (b - a)
+    };
+    for at in 0..5 {
+        let (earlier, later) = (added(1, 2, at), added(2, 3, at));
+        let most = if at == 4 { 1.1 } else { 1.01 };
+        assert!(later <= most * earlier, "{name}: figure {at} grows by {earlier} and then by {later} a link");
+    }
+    assert!(per_link[3][0] <= most as f64, "{} operations a link", per_link[3][0]);
+}
+
+#[test]
+fn rods_in_absolute_angles_grow_linearly() {
+    grows("rods, absolute angles", absolute, 90);
+}
+
+#[test]
+fn rods_in_relative_angles_grow_linearly() {
+    grows("rods, joint angles", relative, 75);
+}
+
+#[test]
+fn rods_in_space_grow_linearly() {
+    grows("rods in space", spatial, 350);
+}
+
+/// M and h* as a whole: n² entries that each cost the same.
+#[test]
+fn the_mass_matrix_grows_quadratically() {
+    let entries = |n: usize| {
+        let text = relative(n).to_string().replace("elimination = recursive", "elimination = matrix, simplify = off");
+        let equations = derived(tokens(&text));
+        let (inertia, forces) = (count(&equations, "inertia").operations(), count(&equations, "forces").operations());
+        println!("{n} rods: M {inertia}, h* {forces}");
+        (inertia as f64, forces as f64)
+    };
+    let [five, ten, twenty] = [5, 10, 20].map(entries);
+    // a n² + b n
+    assert!(twenty.0 - ten.0 <= 4.2 * (ten.0 - five.0), "M");
+    assert!(twenty.1 - ten.1 <= 4.2 * (ten.1 - five.1), "h*");
+}
