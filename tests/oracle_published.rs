@@ -89,7 +89,7 @@ fn bobs() {
 #[test]
 fn puma() {
     let golden = parse(include_str!("data/puma560.json"));
-    let model = model(include_str!("models/geometry/arms.rs"), "PumaArm");
+    let model = model(include_str!("../examples/puma/models.rs"), "PumaArm");
     let links = list(&golden["parameters"]);
     let of = |link: usize, name: &str| numbers(&links[link - 1][name]);
     let motor = |i: usize| of(i, "G")[0].powi(2) * of(i, "Jm")[0];

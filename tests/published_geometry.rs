@@ -6,12 +6,15 @@
 mod claims;
 #[path = "models/geometry/mod.rs"]
 mod geometry;
+#[path = "../examples/puma/models.rs"]
+#[allow(dead_code, missing_docs, reason = "as the example has it")]
+mod puma;
 #[path = "models/rolling_disk.rs"]
 mod rolling_disk;
 mod support;
 
 use claims::evaluated::simplified;
-use geometry::arms::{PumaArm, SevenJoints};
+use geometry::arms::SevenJoints;
 use geometry::bobs::{TenBobs, ThreeBobs, ThreeTiedBobs, TwentyBobs};
 use geometry::disc::{Disc, Disk};
 use geometry::rods::{FiveRods, TenRods, TwentyRods, TwoRods};
@@ -19,6 +22,7 @@ use geometry::sleigh::BladedSleigh;
 use geometry::top::PivotedTop;
 use geometry::whipple::Whipple;
 use holonomy::{ConstrainedSystem, Vector};
+use puma::PumaArm;
 use rolling_disk::RollingDisk;
 use serde_json::Value;
 use std::path::Path;
@@ -62,7 +66,8 @@ fn outputs<M: ConstrainedSystem>(running: &Running<M>, y: &[f64]) -> Vec<f64> {
 #[test]
 fn nothing_but_geometry_is_declared() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/models/geometry");
-    for file in declared::rust_files(&folder) {
+    let arm = folder.join("../../../examples/puma/models.rs");
+    for file in declared::rust_files(&folder).into_iter().chain([arm]) {
         let source = std::fs::read_to_string(&file).expect("the file is there");
         for statement in ["inertia(", "forces(", "kinetic_energy("] {
             assert!(!source.contains(statement), "{statement} in {file:?}");

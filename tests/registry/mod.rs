@@ -61,12 +61,18 @@ pub mod example_car_axis;
 #[path = "../../examples/cartesian_pendulum/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_cartesian_pendulum;
+#[path = "../../examples/chain/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_chain;
 #[path = "../../examples/chaplygin_sleigh/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_chaplygin_sleigh;
 #[path = "../../examples/curvature/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_curvature;
+#[path = "../../examples/puma/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_puma;
 #[path = "../../examples/spherical_pendulum/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_spherical_pendulum;
@@ -111,10 +117,6 @@ macro_rules! every_model {
                 BeadInFrame(m, w, g)
                 DoublePendulumByEnergy(m1, m2, l1, l2, g);
             "tests/models/geometry/arms.rs" arms:
-                PumaArm(
-                    g, a2, a3, d3, d4, m2, m3, m4, m5, m6, rx2, ry2, rz2, rx3, ry3, rz3, ry4, rz6, iy1, ix2, iy2, iz2,
-                    ix3, iy3, iz3, ix4, iy4, iz4, ix5, iy5, iz5, ix6, iy6, iz6, motor_inertia
-                )
                 SevenJoints(g);
             "tests/models/geometry/bobs.rs" bobs:
                 ThreeBobs(m, l, g)
@@ -197,6 +199,13 @@ macro_rules! every_model {
                 Sleigh(m, i, a);
             "examples/curvature/models.rs" example_curvature:
                 SteeredParticle(m, g, kappa);
+            "examples/chain/models.rs" example_chain:
+                Chain(m, l, g);
+            "examples/puma/models.rs" example_puma:
+                PumaArm(
+                    g, a2, a3, d3, d4, m2, m3, m4, m5, m6, rx2, ry2, rz2, rx3, ry3, rz3, ry4, rz6, iy1, ix2, iy2, iz2,
+                    ix3, iy3, iz3, ix4, iy4, iz4, ix5, iy5, iz5, ix6, iy6, iz6, motor_inertia
+                );
             "examples/spherical_pendulum/models.rs" example_spherical_pendulum:
                 OneChart(m, l, g)
                 ThreeCharts(m, l, g)

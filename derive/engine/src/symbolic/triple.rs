@@ -64,6 +64,9 @@ impl Graph {
 
     /// R I Rᵀ of a symmetric tensor.
     pub fn turned_tensor(&mut self, rotation: &Rotation, tensor: &Rotation) -> Rotation {
+        if let Some(turned) = self.turned_about_axis(rotation, tensor) {
+            return turned;
+        }
         // Rows of R I.
         let half: Rotation = std::array::from_fn(|i| self.turned(tensor, &rotation[i]));
         let mut turned = [self.no_vector(); 3];
