@@ -42,8 +42,8 @@ use holonomy::ConstrainedSystem;
 #[body(front_wheel = { frame: F, center: FrontHub, mass: m_front, inertia: diag(front_xx, front_yy, front_xx) })]
 #[gravity(g*N.z)]
 #[constraint(contact: dot(Q, N.z) == 0)]
-#[constraint(rear_roll: velocity(P, rear_wheel) == 0, expressed = A)]
-#[constraint(front_roll: velocity(Q, front_wheel) == 0, expressed = A)]
+#[constraint(rear_roll: velocity(P, rear_wheel) == 0)]
+#[constraint(front_roll: velocity(Q, front_wheel) == 0)]
 #[independent(dot(lean), dot(steer), dot(rear))]
 #[allow(missing_docs)]
 pub struct Bicycle {

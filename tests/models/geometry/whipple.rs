@@ -25,8 +25,8 @@ use holonomy::ConstrainedSystem;
 #[body(front_wheel = { frame: F, center: FrontHub, mass: mf, inertia: diag(ifx, ify, ifx) })]
 #[gravity(g*N.z)]
 #[constraint(contact: dot(Q, N.z) == 0)]
-#[constraint(rear_roll: velocity(P, rear_wheel) == 0, expressed = A)]
-#[constraint(front_roll: velocity(Q, front_wheel) == 0, expressed = A)]
+#[constraint(rear_roll: velocity(P, rear_wheel) == 0)]
+#[constraint(front_roll: velocity(Q, front_wheel) == 0)]
 #[independent(dot(phi), dot(delta), dot(rear))]
 #[start(theta = 0.3141592653589793)]
 pub struct Whipple {
