@@ -1,6 +1,7 @@
 //! Mechanisms of the literature from geometry alone.
 
 pub mod arms;
+pub mod balls;
 pub mod bobs;
 pub mod disc;
 pub mod rods;

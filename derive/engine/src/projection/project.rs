@@ -199,7 +199,7 @@ fn name_multipliers(
     let graph = &mut system.graph;
     let all = sorted.rows();
     let mut named = NamedMultipliers::default();
-    for (i, row) in rows.iter().enumerate() {
+    for (i, row) in rows.iter().enumerate().filter(|(_, row)| row.reaction) {
         if let Some(position) = all.iter().position(|j| *j == i) {
             named.names.push(row.name.clone());
             named.rows.push(Some(position));

@@ -78,7 +78,9 @@ pub fn tangent(
     if let Some(choice) = &choice {
         let (width, m) = (carriers.speeds.len(), carried.len());
         if choice.speeds.len() + m != width {
-            errors.report(choice.span, messages::wrong_number_independent(choice.speeds.len(), width, m));
+            let norms = system.norm_rates().len();
+            let message = messages::wrong_number_independent(choice.speeds.len(), width - norms, m - norms);
+            errors.report(choice.span, message);
             return None;
         }
     }
@@ -148,7 +150,8 @@ pub fn tangent(
     }
     simplifier.settle(graph, &dependent);
     let names: Vec<String> = carried.iter().map(|row| rows[kept[row.row]].name.clone()).collect();
-    let note = note(graph, carriers, &elimination, &names, &speeds, &why);
+    let norms = rows.iter().filter(|row| !row.reaction).map(|row| row.name.as_str()).collect::<Vec<_>>();
+    let note = note(graph, carriers, &elimination, (&names, &norms), &speeds, &why);
     let pivots = elimination.values.clone();
     let rows = carried.iter().map(|row| row.row).collect();
     let elimination = Some(elimination);
@@ -170,11 +173,11 @@ fn note(
     graph: &Graph,
     carriers: &Carriers,
     e: &Elimination,
-    rows: &[String],
+    (rows, norms): (&[String], &[&str]),
     speeds: &[Symbol],
     why: &str,
 ) -> Option<String> {
-    if e.pivots.is_empty() {
+    if rows.iter().all(|row| norms.contains(&row.as_str())) {
         return None;
     }
     let names = |symbols: Vec<Symbol>| symbols.iter().map(|s| graph.name(*s)).collect::<Vec<_>>().join(", ");

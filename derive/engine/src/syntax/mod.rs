@@ -16,6 +16,7 @@ mod integer;
 mod nesting;
 mod number;
 mod options;
+mod quaternions;
 mod read;
 mod refusal;
 mod statements;
@@ -30,6 +31,8 @@ pub(crate) use diagnostics::{did_you_mean, messages};
 pub(crate) use expression::AXES;
 pub use expression::{Comparison, Expression, Operator, Term};
 pub use geometry::{BodyInertia, Element, ElementKind, Geometry};
+pub(crate) use quaternions::QUATERNION;
+pub use quaternions::{Quaternion, Speed};
 pub use statements::{FIELD_STATEMENTS, STATEMENTS, helper_attributes};
 
 /// Reads a derive input without an error.

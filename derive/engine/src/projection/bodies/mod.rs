@@ -15,7 +15,7 @@
 //! | `rotors` | symmetric bodies need not turn their axes |
 //! | `sweep` | velocities and accelerations, outwards |
 //! | `spatial` | inertias about points, moved and turned |
-//! | `recursive` | composite inertias and forces inwards, where v are rates: O(n²) in a chain |
+//! | `recursive` | composite inertias and forces inwards, where each speed moves one joint: O(n²) in a chain |
 //! | `direct` | body by body, where v are speeds of the model's own |
 //! | `energy` | T, and V of gravity |
 //! | `lines` | springs, dampers, armatures |
@@ -31,17 +31,18 @@ mod spatial;
 mod sweep;
 
 use super::Simplifier;
-use super::constraints::motion;
+use super::constraints::motion_of_norm;
 use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Matrix, Symbol};
 
 /// M, h*, T and V of a system of bodies; what the model lists as forces is added to h*.
 pub fn complete(system: &mut InitialSystem, simplifier: &mut dyn Simplifier) {
     let Some(mut mechanism) = system.mechanism.take() else { return };
-    let motion = motion(system);
+    let motion = motion_of_norm(system);
     let n = system.speeds.len();
     let speeds = releases::extended(system, &mut mechanism);
-    let own = system.rates_are_speeds();
+    let own = system.joint_speeds || system.rates_are_speeds();
+    let norms = system.norm_rates();
     let graph = &mut system.graph;
     rotors::stop(graph, &mut mechanism);
     let mut sums = match own {
@@ -64,6 +65,12 @@ pub fn complete(system: &mut InitialSystem, simplifier: &mut dyn Simplifier) {
     releases::hold(graph, &mechanism.releases, &mut sums, &mut potential);
     for ((force, listed), further) in sums.forces.iter_mut().zip(&system.forces).zip(&mechanism.generalized) {
         *force = graph.sum(&[*force, *listed, *further]);
+    }
+    // No force is needed to hold a norm, and none acts along it.
+    for (force, speed) in sums.forces.iter_mut().zip(&system.speeds) {
+        if norms.contains(speed) {
+            *force = graph.zero();
+        }
     }
     releases::tell(system, &mechanism.releases, &sums);
     let graph = &mut system.graph;

@@ -279,6 +279,8 @@ messages! {
     number_of_speeds(found, expected) =
         "there must be as many speeds as coordinates: found {found}, expected {expected}; \
          fewer of them become independent by constraints";
+    number_of_speeds_beside_norms(found, expected) =
+        "there must be three speeds for each quaternion and one for every other coordinate: found {found}, expected {expected}";
     speeds_without_kinematics() =
         "named speeds need `kinematics` that tell what they are";
     kinematics_without_speeds() =
