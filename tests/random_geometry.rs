@@ -22,7 +22,8 @@ const QUATERNIONS: usize = 100;
 const QUATERNIONS_EMITTED: usize = 15;
 
 /// How often each class of these must occur.
-const QUATERNION_CLASSES: [(&str, usize); 11] = [
+const QUATERNION_CLASSES: [(&str, usize); 12] = [
+    ("ball about its joint", 15),
     ("quaternion", 90),
     ("several quaternions", 30),
     ("quaternion behind a rotation", 20),

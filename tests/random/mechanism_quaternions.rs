@@ -69,7 +69,10 @@ impl Tree {
                 2 if number > 0 => self.sliding(parent),
                 _ => self.revolute(parent),
             };
-            self.body(link);
+            match self.components.is_empty() || !self.chance(3) {
+                true => self.body(link),
+                false => self.round(link),
+            }
         }
         if self.kind == "quaternions in a tree" && self.components.is_empty() {
             let (parent, place) = (self.links.len() - 1, self.place(1));
@@ -80,6 +83,17 @@ impl Tree {
             self.class("row on a tree with quaternions");
             self.held_anywhere();
         }
+    }
+
+    /// A body that looks the same however it is turned about its joint.
+    fn round(&mut self, link: usize) {
+        self.class("ball about its joint");
+        let (name, (frame, point)) = (format!("body{}", self.bodies.len() + 1), self.links[link].clone());
+        let (mass, r) = (self.between(0.5, 2.0), self.between(0.4, 0.9));
+        self.text += &format!(
+            "#[body({name} = {{ frame: {frame}, center: {point}, mass: {mass}, inertia: sphere({mass}, {r}) }})]\n"
+        );
+        self.bodies.push((name, link));
     }
 
     /// A ball on a plane that may turn, with a body that hangs on to it.
