@@ -4,6 +4,7 @@ pub mod arms;
 pub mod balls;
 pub mod bobs;
 pub mod disc;
+pub mod joints;
 pub mod rods;
 pub mod sleigh;
 pub mod top;

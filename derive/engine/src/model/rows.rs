@@ -3,6 +3,7 @@
 use super::context::Context;
 use super::geometry::Released;
 use super::geometry::equations::sides;
+use super::geometry::joints;
 use super::linear;
 use super::names::Mentions;
 use super::system::{Row, RowKind};
@@ -29,20 +30,23 @@ pub(super) fn lower<'a>(vocabulary: &mut Vocabulary<'a>, diagnostics: &mut Diagn
         if names.contains(&name) {
             diagnostics.report(&constraint.name, messages::constraint_twice(&name));
         }
-        let left = vocabulary.value(&constraint.left, Context::CONSTRAINT, diagnostics);
-        let right = vocabulary.value(&constraint.right, Context::CONSTRAINT, diagnostics);
-        if let (Some(left), Some(right)) = (left, right) {
-            for (name, expr, mentions) in sides(constraint, left, right, vocabulary, diagnostics).into_iter().flatten()
-            {
-                if names.contains(&name) && constraint.name != name {
-                    diagnostics.report(&constraint.name, messages::constraint_twice(&name));
-                }
-                if mentions.intersects(variables) {
-                    names.push(name.clone());
-                    written.push(Written { constraint, name, expr, mentions });
-                } else {
-                    diagnostics.report(&constraint.name, messages::constraint_without_variable(&name));
-                }
+        let rows = match &constraint.right {
+            None => joints::rows(constraint, vocabulary, diagnostics),
+            Some(right) => {
+                let left = vocabulary.value(&constraint.left, Context::CONSTRAINT, diagnostics);
+                let right = vocabulary.value(right, Context::CONSTRAINT, diagnostics);
+                left.zip(right).and_then(|(left, right)| sides(constraint, left, right, vocabulary, diagnostics))
+            }
+        };
+        for (name, expr, mentions) in rows.into_iter().flatten() {
+            if names.contains(&name) && constraint.name != name {
+                diagnostics.report(&constraint.name, messages::constraint_twice(&name));
+            }
+            if mentions.intersects(variables) {
+                names.push(name.clone());
+                written.push(Written { constraint, name, expr, mentions });
+            } else {
+                diagnostics.report(&constraint.name, messages::constraint_without_variable(&name));
             }
         }
         names.push(name);

@@ -9,9 +9,7 @@ use syn::ext::IdentExt;
 
 use super::declarations::Declarations;
 use super::expression::{AXES, Expression, Term};
-
-/// The function that declares such a frame.
-pub(crate) const QUATERNION: &str = "quaternion";
+use super::joints::is_quaternion;
 
 /// A well-formed `B = quaternion(base, e0, e1, e2, e3)`.
 #[derive(Clone, Debug)]
@@ -72,7 +70,7 @@ impl Declarations {
     fn components(&self, frame: &Expression) -> Option<[usize; 4]> {
         let (Term::Call(function, arguments), _) = frame.terms().last()? else { return None };
         let [_, components @ ..] = arguments.as_slice() else { return None };
-        if function != QUATERNION || components.len() != 4 {
+        if !is_quaternion(function) || components.len() != 4 {
             return None;
         }
         let place = |at: &usize| match &frame.terms()[*at].0 {

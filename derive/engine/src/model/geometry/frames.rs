@@ -7,7 +7,7 @@ use crate::model::names::{Meaning, Mentions};
 use crate::model::value::Lowered;
 use crate::model::vocabulary::Vocabulary;
 use crate::symbolic::{Expr, Rotation, Stage, Symbol, Triple};
-use crate::syntax::{AXES, Diagnostics, Expression, QUATERNION, Term, did_you_mean, messages, nearest};
+use crate::syntax::{AXES, Diagnostics, Expression, ROTATIONS, Term, did_you_mean, is_quaternion, messages, nearest};
 use proc_macro2::Span;
 
 /// A frame.
@@ -27,13 +27,13 @@ pub(in crate::model) struct Frame {
 
 impl Vocabulary<'_> {
     /// `rotate(base, axis, angle)`, the base perhaps such a rotation itself; the last is the frame of that name. Or
-    /// `quaternion(base, e0, e1, e2, e3)` with such a base.
+    /// `quaternion(base, e0, e1, e2, e3)` with such a base. Joints in short are other names for them.
     pub(super) fn frame(&mut self, called: &str, written: &Expression, diagnostics: &mut Diagnostics) -> Option<usize> {
         match written.terms().last() {
-            Some((Term::Call(function, arguments), span)) if function == QUATERNION => {
+            Some((Term::Call(function, arguments), span)) if is_quaternion(function) => {
                 let arguments = arguments.clone();
                 if arguments.len() != 5 {
-                    diagnostics.report(*span, messages::quaternion_form());
+                    diagnostics.report(*span, messages::quaternion_form(function));
                     return None;
                 }
                 let base = self.chain(called, &written.part(arguments[0]), true, diagnostics);
@@ -51,18 +51,34 @@ impl Vocabulary<'_> {
         empty: bool,
         diagnostics: &mut Diagnostics,
     ) -> Option<usize> {
+        let mut empty = empty;
         // From the outermost call inwards.
         let mut turns: Vec<(Expression, Expression)> = Vec::new();
         let mut at = written.clone();
         loop {
             let terms = at.terms();
             match terms.last() {
-                Some((Term::Call(function, arguments), span)) if function == "rotate" => {
-                    let [base, axis, angle] = arguments.as_slice() else {
-                        diagnostics.report(*span, messages::frame_form());
+                Some((Term::Call(function, _), span)) if is_quaternion(function) => {
+                    diagnostics.report(*span, messages::quaternion_inside());
+                    return None;
+                }
+                Some((Term::Call(function, arguments), span))
+                    if ROTATIONS.iter().any(|(known, ..)| function == known) =>
+                {
+                    let form = ROTATIONS.iter().find(|(known, ..)| function == known);
+                    let Some((base, turned)) =
+                        arguments.split_first().filter(|_| form.is_some_and(|(_, count, _)| *count == arguments.len()))
+                    else {
+                        let message = match form {
+                            Some((known, _, form)) if *known != "rotate" => messages::joint_form(form),
+                            _ => messages::frame_form(),
+                        };
+                        diagnostics.report(*span, message);
                         return None;
                     };
-                    turns.push((at.part(*axis), at.part(*angle)));
+                    // The last rotation comes first, and none at all is a weld.
+                    empty |= turned.is_empty();
+                    turns.extend(turned.chunks_exact(2).rev().map(|pair| (at.part(pair[0]), at.part(pair[1]))));
                     at = at.part(*base);
                 }
                 Some((Term::Name(name), span)) if empty || !turns.is_empty() => {
@@ -74,10 +90,6 @@ impl Vocabulary<'_> {
                     return frame;
                 }
                 Some((Term::Hole, _)) | None => return None,
-                Some((Term::Call(function, _), span)) if function == QUATERNION => {
-                    diagnostics.report(*span, messages::quaternion_inside());
-                    return None;
-                }
                 Some((_, span)) => {
                     let place = if turns.is_empty() { written.place() } else { (*span).into() };
                     diagnostics.report(place, messages::frame_form());

@@ -5,6 +5,7 @@
 //! | `vector` | vectors over several frames, products, rates |
 //! | `frames` | frames that turn against others |
 //! | `quaternions` | frames by unit quaternions |
+//! | `joints` | joints in short |
 //! | `places` | points, each a step away from another |
 //! | `releases` | what is let go, to tell its reaction |
 //! | `calls` | the functions of vectors |
@@ -19,6 +20,7 @@ mod bodies;
 mod calls;
 pub(super) mod equations;
 mod frames;
+pub(super) mod joints;
 pub(super) mod order;
 mod places;
 mod possible;

@@ -102,7 +102,7 @@ messages! {
     redundant_alone() =
         "`redundant` stands behind the constraint of which it is said: `name: left == right, redundant`";
     equation_expected() =
-        "a constraint is an equation: expected `left == right`";
+        "a constraint is an equation or a joint: expected `left == right`, or for example `spherical(P, Q)`";
     single_equals() =
         "a constraint is written with `==`";
     second_equation() =

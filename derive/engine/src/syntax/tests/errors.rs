@@ -117,7 +117,12 @@ fn forms_of_statements() {
             r#"constraint(x == 0)"#,
             &["1:14 `x == 0`: expected `name: left == right`; the name is that of the constraint's reaction"],
         ),
-        (r#"constraint(c: x)"#, &["1:14 `c: x`: a constraint is an equation: expected `left == right`"]),
+        (
+            r#"constraint(c: x)"#,
+            &[
+                "1:14 `c: x`: a constraint is an equation or a joint: expected `left == right`, or for example `spherical(P, Q)`",
+            ],
+        ),
         (r#"constraint(c: x = 0)"#, &["1:19 `=`: a constraint is written with `==`"]),
         (r#"constraint(c: x == 0 == 1)"#, &["1:24 `==`: a constraint is one equation, this is a second `==`"]),
         (

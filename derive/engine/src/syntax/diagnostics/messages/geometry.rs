@@ -38,8 +38,16 @@ messages! {
 messages! {
     frame_form() =
         "expected `rotate(base, axis, angle)`, such as `A = rotate(N, z, theta)`, or `quaternion(base, e0, e1, e2, e3)`";
-    quaternion_form() =
-        "expected `quaternion(base, e0, e1, e2, e3)` with four coordinates, the scalar part first";
+    quaternion_form(function) =
+        "expected `{function}(base, e0, e1, e2, e3)` with four coordinates, the scalar part first";
+    joint_form(form) =
+        "expected `{form}`";
+    joint_axis() =
+        "expected an axis of a frame, such as `A.z`";
+    joint_expressed(joint) =
+        "the rows of `{joint}` are components along the axes of its own frame; leave out `expressed`";
+    joint_out_of_place(joint) =
+        "`{joint}` stands alone, as the value of a frame, of a point or of a constraint: it is no part of an expression";
     quaternion_inside() =
         "a frame by a quaternion needs a name of its own, which its speeds take over: declare it, and turn the next one against it";
     quaternion_component() =
