@@ -8,6 +8,7 @@ mod top;
 
 use balls::{BallTop, HangingRods, KanesRock, PivotedBall, Precession, Rock, RollingBall};
 use holonomy::prelude::*;
+use holonomy::simulate::Charts;
 use holonomy::{Error, Method, State};
 use serde_json::Value;
 use std::f64::consts::FRAC_PI_3;
@@ -318,6 +319,38 @@ fn a_precession_is_found() -> Result<(), Error> {
     let trim = held.iter().fold(model.trim(guess).any_rate("psi"), |trim, name| trim.hold(name));
     let steady = trim.solve()?.state;
     assert!((steady.dot_psi - number(p, "spin_rate")).abs() < 1e-8, "{}", steady.dot_psi);
+    Ok(())
+}
+
+/// The forms of the paper hold with all of v: the full system, M⁻¹, Gauss, the null space.
+#[test]
+fn the_forms_of_the_paper_know_quaternions() -> Result<(), Error> {
+    let top = PivotedBall { m: 15.0, g: 9.81, j1: 0.25, j2: 0.45, j3: 0.3, c1: 0.1, c2: 1.0, c3: 0.2 }.prepare()?;
+    let [e0, e1, e2, e3] = drawn(&mut SplitMix::new(3));
+    let [x, y, z] = turned([e0, e1, e2, e3], [0.1, 1.0, 0.2]);
+    let guess = State::<PivotedBall> { x, y, z, e0, e1, e2, e3, omega_T_x: 1.0, omega_T_y: -3.0, omega_T_z: 2.0 };
+    let s = top.assemble(guess).solve()?;
+    let full = top.initial_equations_at(0.0, &s, &[]);
+    let own = entries(&top.velocity_rates(0.0, &s, &[]));
+    let held = top.multipliers(0.0, &s, &[]);
+    let (rates, multipliers) = full.solve()?;
+    assert_close_at("v̇ (2.8)", rates.as_slice(), &own, 1e-11, 1.0);
+    let expected = [held.pivot_x, held.pivot_y, held.pivot_z, 0.0];
+    assert_close_at("λ (2.8)", multipliers.as_slice(), &expected, 1e-11, 100.0);
+    assert_close_at("λ (3.6)", full.multipliers()?.as_slice(), &expected, 1e-11, 100.0);
+    let tangent = full.tangent_rates(&top.complement_at(0.0, &s))?;
+    assert_close_at("v̇ (3.4)", tangent.as_slice(), &own, 1e-11, 1.0);
+    Ok(())
+}
+
+/// In all velocities with the null space of C the rock tumbles as it does in its speeds.
+#[test]
+fn a_rock_in_the_general_chart() -> Result<(), Error> {
+    let rock = rock().prepare()?;
+    let run = |charts| rock.simulate(tumbling()).charts(charts).tolerance(1e-11, 1e-12).until(3.0);
+    let (own, general) = (run(Charts::Stay)?, run(Charts::General)?);
+    let ((_, a), (_, b)) = (own.last(), general.last());
+    assert_close_at("the end", &entries(b), &entries(a), 1e-8, 1.0);
     Ok(())
 }
 

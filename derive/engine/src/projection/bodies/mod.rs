@@ -81,6 +81,10 @@ pub fn complete(system: &mut InitialSystem, simplifier: &mut dyn Simplifier) {
         inertia.set(i, j, entry);
         inertia.set(j, i, entry);
     }
+    // A norm has no inertia, and its rate is zero: any other number leaves M regular and changes nothing else.
+    for (i, _) in system.speeds.iter().enumerate().filter(|(_, speed)| norms.contains(speed)) {
+        inertia.set(i, i, graph.one());
+    }
     system.inertia = inertia;
     system.forces = sums.forces[..n].iter().map(|force| simplifier.one(graph, *force)).collect();
     system.kinetic = Some(sums.kinetic);
