@@ -173,3 +173,25 @@ fn rows_that_vanish_are_left_out() {
     )));
     assert_eq!(e.outputs.names, ["moment"]);
 }
+
+/// Joints in families, and rows that may depend on others.
+#[test]
+fn joints_in_families() {
+    let e = derived(quote! {
+        #[size(n = 2)]
+        #[coordinates(x[n], y[n], z[n], e[n], f[n], g[n], h[n])]
+        #[frame(B[i] = spherical(N, e[i], f[i], g[i], h[i]) for i in 0..n)]
+        #[point(P[i] = O + x[i]*N.x + y[i]*N.y + z[i]*N.z for i in 0..n)]
+        #[body(link[i] = { frame: B[i], center: P[i], mass: m, inertia: diag(1, 2, 2) } for i in 0..n)]
+        #[constraint(base: weld(P[0], O, B[0], N))]
+        #[constraint(hinge[i]: revolute(P[i - 1] + l*B[i - 1].x, P[i], B[i - 1].z, B[i].z) for i in 1..n)]
+        #[constraint(again: spherical(P[0], O), redundant)]
+        struct Chain { l: f64, m: f64 }
+    });
+    assert_eq!(e.state_speeds.len(), 1);
+    let hinge = ["hinge_1_x", "hinge_1_y", "hinge_1_z", "hinge_1_axes_x", "hinge_1_axes_y"];
+    assert!(hinge.iter().all(|name| e.row_names().contains(&(*name).to_owned())), "{:?}", e.row_names());
+    assert!(
+        e.rows.iter().filter(|row| row.redundant).map(|row| row.name.as_str()).eq(["again_x", "again_y", "again_z"])
+    );
+}

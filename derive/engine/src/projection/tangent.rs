@@ -101,6 +101,7 @@ pub fn tangent(
         Some(list) => (0..width).map(|j| !list.contains(&j)).collect(),
         None => vec![true; width],
     };
+    let norm_rates = system.norm_rates();
     let graph = &mut system.graph;
     let c = Matrix::from_rows(carried.iter().map(|row| row.gradient.clone()).collect(), width);
     let elimination = match eliminate(graph, simplifier, &c, &Choice { columns, new_guards: true }) {
@@ -110,7 +111,8 @@ pub fn tangent(
                 Stuck::Dependent { row, .. } | Stuck::Forbidden { row } => carried[row].row,
                 Stuck::NeedsGuard => 0,
             };
-            let names: Vec<&str> = carriers.speeds.iter().map(|s| graph.name(*s)).collect();
+            let free = carriers.speeds.iter().filter(|s| !norm_rates.contains(s));
+            let names: Vec<&str> = free.map(|s| graph.name(*s)).collect();
             let span = choice.map_or(rows[kept[row]].span, |choice| choice.span);
             errors.report(span, messages::not_independent(&rows[kept[row]].name, &names));
             return None;
@@ -186,7 +188,9 @@ fn note(
         .iter()
         .zip(&e.values)
         .zip(e.pivot_names(rows))
-        .map(|((j, value), called)| {
+        .zip(rows)
+        .filter(|(_, row)| !norms.contains(&row.as_str()))
+        .map(|(((j, value), called), _)| {
             format!("{} ({})", graph.name(carriers.speeds[*j]), readable(graph, *value, &called))
         })
         .collect();
