@@ -380,6 +380,29 @@ fn what_holds_a_frame_by_a_quaternion() {
     }
 }
 
+/// A pivot far from the centre, held by rows: on the sphere of unit quaternions M_d is a number, and nothing is divided by that moves;
+/// the row that holds the norm stays, though identity is decided where it vanishes.
+#[test]
+fn unit_quaternions_are_simplified_on_their_sphere() {
+    let e = derived(quote! {
+        #[coordinates(x, y, z, e0, e1, e2, e3)]
+        #[frame(B = quaternion(N, e0, e1, e2, e3))]
+        #[point(C = O + x*N.x + y*N.y + z*N.z)]
+        #[body(top = { frame: B, center: C, mass: m, inertia: diag(i1, i2, i3) })]
+        #[constraint(pivot: C == a*B.x + b*B.y + c*B.z)]
+        #[independent(omega_B_x, omega_B_y, omega_B_z)]
+        struct Top { m: f64, a: f64, b: f64, c: f64, i1: f64, i2: f64, i3: f64 }
+    });
+    assert_eq!(e.position_names, ["pivot_x", "pivot_y", "pivot_z", "norm_B"]);
+    assert_eq!(
+        e.graph.display(e.position_residual[3]),
+        "powi(e0, 2)/2 + powi(e1, 2)/2 + powi(e2, 2)/2 + powi(e3, 2)/2 - 1/2"
+    );
+    let moving: Vec<Symbol> = e.state_coordinates.iter().chain(&e.state_speeds).copied().collect();
+    assert!(e.mass_matrix.entries().iter().all(|entry| !e.graph.contains(*entry, &moving)));
+    assert!(e.guards.is_empty());
+}
+
 /// Each mistake once, in words.
 #[test]
 fn mistakes_are_told() {

@@ -155,6 +155,9 @@ pub struct Equations {
     pub constraint_bias: Vec<Expr>,
     /// f of every position row.
     pub position_residual: Vec<Expr>,
+    /// How many of these, the last ones, hold norms of quaternions: identity is decided where they are zero, and so they must stay as
+    /// they are.
+    pub norms: usize,
     /// φ, or ḟ, of every row of C that binds velocities.
     pub velocity_residual: Vec<Expr>,
     /// T, as the model gives it or vᵀ M v / 2.
@@ -194,6 +197,7 @@ impl Equations {
         let mut equations = self.clone();
         let mut roots: Vec<Expr> = equations.groups().into_iter().flatten().map(|e| *e).collect();
         roots.extend(self.outputs.values.iter().chain(&self.outputs.carried));
+        roots.extend(&self.position_residual[self.position_residual.len() - self.norms..]);
         roots
     }
 
@@ -223,6 +227,7 @@ impl Equations {
     /// them: they are made of these.
     pub fn groups(&mut self) -> Vec<Vec<&mut Expr>> {
         let guards = self.guards.iter_mut().map(|g| &mut g.expr);
+        let positions = self.position_residual.len() - self.norms;
         let mut groups = vec![
             self.coordinate_rates.iter_mut().chain(&mut self.accelerations).chain(guards).collect(),
             self.mass_matrix.entries_mut().iter_mut().chain(&mut self.forcing).collect(),
@@ -234,7 +239,7 @@ impl Equations {
             self.inertia.entries_mut().iter_mut().collect(),
             self.forces.iter_mut().collect(),
             self.constraint_matrix.entries_mut().iter_mut().chain(&mut self.constraint_bias).collect(),
-            self.position_residual.iter_mut().chain(&mut self.velocity_residual).collect(),
+            self.position_residual[..positions].iter_mut().chain(&mut self.velocity_residual).collect(),
             std::iter::once(&mut self.kinetic_energy).chain(self.potential_energy.as_mut()).collect(),
             self.carried_velocities.iter_mut().chain(&mut self.carried_rates).collect(),
             self.chart_speeds.iter_mut().flatten().collect(),

@@ -140,6 +140,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         constraint_matrix: Matrix::from_rows(gradients, n),
         constraint_bias: all.iter().map(|i| rows[*i].bias).collect(),
         position_residual: positions.iter().filter_map(|row| row.position).collect(),
+        norms: rows.iter().filter(|row| !row.reaction).count(),
         velocity_residual: all.iter().filter_map(|i| rows[*i].velocity).collect(),
         kinetic_energy,
         potential_energy: system.potential,

@@ -76,6 +76,11 @@ impl Graph {
         self.samples = RefCell::default();
     }
 
+    /// The symbols whose squares add up to one, by fours.
+    pub fn spheres(&self) -> Vec<[Symbol; 4]> {
+        self.spheres.clone()
+    }
+
     /// The sphere on which a symbol lies, and its place there.
     pub(super) fn sphere_of(&self, symbol: Symbol) -> Option<(&[Symbol; 4], usize)> {
         self.spheres.iter().find_map(|four| Some((four, four.iter().position(|other| *other == symbol)?)))
