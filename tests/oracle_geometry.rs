@@ -117,6 +117,41 @@ fn double_pendulum() {
     are_twins(bodies, equations);
 }
 
+/// A free body by a quaternion behind a rotation, by Euler's equations in its own axes.
+#[test]
+fn rock_by_a_quaternion() {
+    let bodies = "#[derive(ConstrainedSystem)]
+        #[coordinates(x, e0, e1, e2, e3)]
+        #[frame(B = quaternion(rotate(N, x, a), e0, e1, e2, e3))]
+        #[body(rock = { frame: B, center: O + x*N.x, mass: m, inertia: diag(i, j, k) })]
+        #[torque(jet = { on: rock, value: p*B.x + q*N.x })]
+        #[constraint(slide: dot(x) - r*dot(angular_velocity(B), B.z) == 0)]
+        struct Rock { a: f64, m: f64, i: f64, j: f64, k: f64, p: f64, q: f64, r: f64 }";
+    let equations = "#[derive(ConstrainedSystem)]
+        #[coordinates(x, e0, e1, e2, e3)]
+        #[speeds(dot_x, omega_B_x, omega_B_y, omega_B_z, norm_rate_B)]
+        #[define(w1 = omega_B_x, w2 = omega_B_y, w3 = omega_B_z)]
+        #[kinematics(
+            dot(x) = dot_x,
+            dot(e0) = -(e1*w1 + e2*w2 + e3*w3)/2 + e0*norm_rate_B,
+            dot(e1) = (e0*w1 - e3*w2 + e2*w3)/2 + e1*norm_rate_B,
+            dot(e2) = (e3*w1 + e0*w2 - e1*w3)/2 + e2*norm_rate_B,
+            dot(e3) = (-e2*w1 + e1*w2 + e0*w3)/2 + e3*norm_rate_B,
+        )]
+        #[inertia(diag(m, i, j, k, 1))]
+        #[forces(
+            0,
+            p + q*(e0*e0 + e1*e1 - e2*e2 - e3*e3) - (k - j)*w2*w3,
+            2*q*(e1*e2 - e0*e3) - (i - k)*w3*w1,
+            2*q*(e1*e3 + e0*e2) - (j - i)*w1*w2,
+            0,
+        )]
+        #[constraint(slide: dot_x - r*w3 == 0)]
+        #[constraint(norm_B: (e0*e0 + e1*e1 + e2*e2 + e3*e3)/2 == 1/2)]
+        struct Rock { a: f64, m: f64, i: f64, j: f64, k: f64, p: f64, q: f64, r: f64 }";
+    are_twins(bodies, equations);
+}
+
 /// A top about its fixed point, in the angles z-x-z, by Lagrange's equations.
 #[test]
 fn heavy_top() {

@@ -8,7 +8,7 @@ use claims::agreement::{NOT_REACHED, agrees};
 use claims::evaluated::{joint_by_joint, projected, simplified};
 use holonomy_engine::projection::Equations;
 use oracle::Report;
-use random::{counted, mechanism};
+use random::{RandomModel, counted, mechanism, quaternion_mechanism};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use support::parallel;
 use support::splitmix::SplitMix;
@@ -20,6 +20,26 @@ const EMITTED: usize = 60;
 
 /// How many of these are open and have each speed at one joint, at least.
 const OPEN: usize = 150;
+
+/// The same for mechanisms with quaternions.
+const QUATERNIONS: usize = 100;
+const QUATERNIONS_EMITTED: usize = 15;
+
+/// How often each class of these must occur.
+const QUATERNION_CLASSES: [(&str, usize); 12] = [
+    ("ball about its joint", 15),
+    ("quaternion", 90),
+    ("several quaternions", 30),
+    ("quaternion behind a rotation", 20),
+    ("ball joint on a link", 20),
+    ("row on a tree with quaternions", 5),
+    ("free base", 30),
+    ("ball rolls", 15),
+    ("height beside rolling", 5),
+    ("ground that turns", 5),
+    ("loop with balls", 15),
+    ("speeds of its own", 10),
+];
 
 /// How often each class must occur among the equations as they come.
 const CLASSES: [(&str, usize); 52] = [
@@ -78,9 +98,13 @@ const CLASSES: [(&str, usize); 52] = [
 ];
 
 /// The first mechanisms of the series in one form, each with draws of its own; the failures are told together. The classes of all.
-fn all_agree(count: usize, form: impl Fn(&str) -> Result<Equations, String> + Sync) -> Vec<String> {
+fn all_agree(
+    count: usize,
+    mechanism: impl Fn(usize) -> RandomModel + Sync,
+    form: impl Fn(&str) -> Result<Equations, String> + Sync,
+) -> Vec<String> {
     let results = parallel::each(count, |number| {
-        let mechanism = mechanism(7, number);
+        let mechanism = mechanism(number);
         let mut random = SplitMix::new(600 + number as u64);
         let shown = agrees(&mechanism.source, form(&mechanism.source), 1, &mut random);
         (mechanism, shown)
@@ -107,17 +131,23 @@ fn all_agree(count: usize, form: impl Fn(&str) -> Result<Equations, String> + Sy
 
 #[test]
 fn random_mechanisms_as_projected_agree_with_the_oracle() {
-    let found = all_agree(PROJECTED, projected);
-    for (class, least) in CLASSES {
-        let count = found.iter().filter(|found| *found == class).count();
-        assert!(count >= least, "{count} of {class}");
+    let found = all_agree(PROJECTED, |number| mechanism(7, number), projected);
+    occur(&found, &CLASSES);
+}
+
+#[track_caller]
+fn occur(found: &[String], classes: &[(&str, usize)]) {
+    for (class, least) in classes {
+        let count = found.iter().filter(|found| found == class).count();
+        assert!(count >= *least, "{count} of {class}");
     }
 }
 
 #[test]
 fn random_mechanisms_joint_by_joint_agree_with_the_oracle() {
     let open = AtomicUsize::new(0);
-    all_agree(PROJECTED, |source| {
+    let of_series = |number| mechanism(7, number);
+    all_agree(PROJECTED, of_series, |source| {
         let equations = joint_by_joint(source)?;
         open.fetch_add(usize::from(equations.is_recursive()), Ordering::Relaxed);
         Ok(equations)
@@ -129,5 +159,12 @@ fn random_mechanisms_joint_by_joint_agree_with_the_oracle() {
 
 #[test]
 fn random_mechanisms_as_emitted_agree_with_the_oracle() {
-    all_agree(EMITTED, simplified);
+    all_agree(EMITTED, |number| mechanism(7, number), simplified);
+}
+
+#[test]
+fn random_mechanisms_with_quaternions_agree_with_the_oracle() {
+    let found = all_agree(QUATERNIONS, |number| quaternion_mechanism(11, number), projected);
+    occur(&found, &QUATERNION_CLASSES);
+    all_agree(QUATERNIONS_EMITTED, |number| quaternion_mechanism(11, number), simplified);
 }

@@ -144,6 +144,10 @@ impl<'a> System<'a> {
             inertia_of_speeds: DMatrix::from_element(n, n, Entry::zero()),
             force_of_speeds: DVector::from_element(n, Entry::zero()),
         };
+        // the norm of a quaternion has no inertia of its own, and counts with one
+        for (i, _) in self.model.speeds.iter().enumerate().filter(|(_, speed)| speed.starts_with("norm_rate_")) {
+            bodies.inertia_of_speeds[(i, i)] = Entry::one();
+        }
         let mut start = 0;
         for (e, element) in elements.iter().enumerate() {
             let Some(mass) = &element.mass else {

@@ -31,6 +31,7 @@ mod motion;
 mod number;
 mod outputs;
 mod principles;
+mod quaternions;
 mod reader;
 mod report;
 mod rows;

@@ -2,6 +2,7 @@
 
 use super::declaration::{Constraint, Declaration, Level};
 use super::families::{element, integer};
+use super::quaternions;
 use super::statements;
 use super::system::{System, lift};
 use crate::splitmix::SplitMix;
@@ -68,6 +69,7 @@ fn read_fields(model: &mut Declaration, fields: &Fields) {
 
 /// What follows from all statements together: default speeds, the order of the kinematics, q, the level of each constraint.
 fn complete(model: &mut Declaration) {
+    quaternions::complete(model);
     if model.speeds.is_empty() {
         model.speeds = model.coordinates.iter().map(|x| format!("dot_{x}")).collect();
     }

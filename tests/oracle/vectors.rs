@@ -2,6 +2,7 @@
 
 use super::evaluate::Scope;
 use super::number::Number;
+use super::quaternions::turned;
 use super::statements::plain;
 use syn::{Expr, ExprUnary, Member, UnOp};
 
@@ -144,11 +145,23 @@ impl<N: Number> Scope<'_, N> {
         axes
     }
 
-    /// `rotate(base, axis, angle)`: every axis of the base turned by Rodrigues' formula.
+    /// `rotate(base, axis, angle)`: every axis of the base turned by Rodrigues' formula. `quaternion(base, e0, e1, e2, e3)`: an
+    /// axis along those of the base.
     fn rotated(&self, e: &Expr) -> Axes<N> {
         let Expr::Call(call) = e else { panic!("not a frame") };
-        assert_eq!(plain(&call.func).as_deref(), Some("rotate"));
         let arguments: Vec<&Expr> = call.args.iter().collect();
+        let function = plain(&call.func);
+        if function.as_deref() == Some("quaternion") {
+            let base = self.axes(arguments[0]);
+            let e = [1, 2, 3, 4].map(|i| self.value(arguments[i]));
+            return [0, 1, 2].map(|axis| {
+                let unit = std::array::from_fn(|i| N::constant(f64::from(u8::from(i == axis))));
+                let along = turned(e, &unit);
+                let parts = [0, 1, 2].map(|i| scaled(along[i], &base[i]));
+                sum(&sum(&parts[0], &parts[1]), &parts[2])
+            });
+        }
+        assert_eq!(function.as_deref(), Some("rotate"));
         let [base, axis, angle] = arguments.as_slice() else { panic!("not a rotation") };
         let base = self.axes(base);
         let axis = self.direction(&base, axis);

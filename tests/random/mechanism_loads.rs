@@ -7,16 +7,16 @@ impl Tree {
     pub(super) fn statements(&mut self) -> String {
         let family = self.kind == "family";
         let own = !family
-            && self.speeds.len() == self.coordinates.len()
+            && self.speeds.len() == self.coordinates.len() + self.components.len() / 4 * 3
             && match self.kind {
-                "speeds as components" => true,
+                "speeds as components" | "speeds of its own beside quaternions" => true,
                 "tree in the plane" | "tree in space" | "knife edge" => self.chance(5),
                 _ => false,
             };
-        let names: Vec<String> = (1..=self.coordinates.len()).map(|i| format!("u{i}")).collect();
+        let names: Vec<String> = (1..=self.speeds.len()).map(|i| format!("u{i}")).collect();
         let mut head = match family {
             true => "#[coordinates(q[n])]\n".to_string(),
-            false => format!("#[coordinates({})]\n", self.coordinates.join(", ")),
+            false => format!("#[coordinates({})]\n", [&self.coordinates[..], &self.components].concat().join(", ")),
         };
         let inputs = self.chance(4);
         if inputs {
@@ -75,7 +75,7 @@ impl Tree {
             let q = self.writer.random.one_of(&self.coordinates).clone();
             self.text += &format!("#[potential_energy(p2*sin({q}))]\n");
         }
-        if self.kind != "family" && self.chance(8) {
+        if self.kind != "family" && self.chance(8) && self.components.is_empty() {
             self.class("further forces");
             let forces = (0..self.coordinates.len()).map(|i| if i == 0 { "0.40*p1" } else { "0" });
             self.text += &format!("#[forces({})]\n", forces.collect::<Vec<_>>().join(", "));

@@ -24,13 +24,17 @@ pub const MECHANISMS: [&str; 10] = [
 
 /// The mechanism of that number in the series of the seed.
 pub fn mechanism(seed: u64, number: usize) -> RandomModel {
+    grown(seed, number, MECHANISMS[number % MECHANISMS.len()], Tree::grow)
+}
+
+/// A mechanism of a kind.
+pub(super) fn grown(seed: u64, number: usize, kind: &'static str, grow: impl Fn(&mut Tree)) -> RandomModel {
     let mut random = SplitMix::new(seed.wrapping_add((number as u64).wrapping_mul(0x1000_0001)));
     random.bits();
     let parameters: Vec<String> = (1..=3).map(|i| format!("p{i}")).collect();
     let values: Vec<String> = parameters.iter().map(|_| format!("{:.2}", random.between(0.6, 1.4))).collect();
-    let kind = number % MECHANISMS.len();
-    let mut tree = Tree::new(Writer { random, parameters: parameters.clone() }, MECHANISMS[kind]);
-    tree.grow();
+    let mut tree = Tree::new(Writer { random, parameters: parameters.clone() }, kind);
+    grow(&mut tree);
     let statements = with_functions(tree.statements());
     let name = format!("Mechanism{number}");
     let field = |(p, value): (&String, &String)| format!("    #[nominal({value})]\n    pub {p}: f64,\n");
@@ -45,6 +49,8 @@ pub(super) struct Tree {
     pub(super) kind: &'static str,
     /// q1, ..
     pub(super) coordinates: Vec<String>,
+    /// Those that are numbers of quaternions, four by four.
+    pub(super) components: Vec<String>,
     /// Names of frames with the point from which what they carry goes on; the first is the ground.
     pub(super) links: Vec<(String, String)>,
     /// Names of the bodies, with the number of their link.
@@ -61,6 +67,7 @@ impl Tree {
             writer,
             kind,
             coordinates: Vec::new(),
+            components: Vec::new(),
             links: vec![("N".to_string(), "O".to_string())],
             bodies: Vec::new(),
             speeds: Vec::new(),

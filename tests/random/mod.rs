@@ -13,12 +13,14 @@ mod generate;
 mod higher;
 mod mechanism_loads;
 mod mechanism_parts;
+mod mechanism_quaternions;
 mod mechanisms;
 mod rows;
 mod statements;
 
 pub use crate_text::crate_text;
 pub use generate::{KINDS, RandomModel, generate};
+pub use mechanism_quaternions::quaternion_mechanism;
 pub use mechanisms::{MECHANISMS, mechanism};
 
 use std::collections::BTreeMap;

@@ -2,7 +2,7 @@
 
 use crate::emit::{Declared, Known, Target};
 use crate::projection::Equations;
-use crate::syntax::{AXES, Declarations, IndependentEntry, Name, Quantity};
+use crate::syntax::{AXES, Declarations, IndependentEntry, Name, Quantity, Speed};
 use proc_macro2::Ident;
 
 /// The user's struct as emission sees it.
@@ -53,10 +53,11 @@ pub fn known(declarations: &Declarations) -> Known {
     let text = |names: &[Name]| -> Vec<String> { names.iter().map(|name| name.ident.to_string()).collect() };
     let coordinates = text(&declarations.coordinates);
     let rate = |name: &str| format!("dot_{name}");
-    let velocities = match &declarations.speeds {
-        Some(speeds) => text(&speeds.names),
-        None => coordinates.iter().map(|x| rate(x)).collect(),
-    };
+    let quaternions = declarations.quaternions();
+    let speeds = declarations.all_speeds(&quaternions);
+    let name = |speed: &Speed| declarations.speed_name(*speed, &quaternions);
+    let velocities: Vec<String> = speeds.iter().map(name).collect();
+    let norms: Vec<String> = speeds.iter().filter(|speed| matches!(speed, Speed::Norm(_))).map(name).collect();
     let mut state = coordinates.clone();
     if let Some(configuration) = &declarations.configuration {
         state.retain(|x| configuration.map.iter().all(|given| given.name != x));
@@ -84,7 +85,7 @@ pub fn known(declarations: &Declarations) -> Known {
             IndependentEntry::Speed(Quantity::Name(name)) => name.to_string(),
             IndependentEntry::Speed(Quantity::Rate(name, _)) => rate(&name.to_string()),
         })),
-        (None, None) => state.extend(carriers.iter().cloned()),
+        (None, None) => state.extend(carriers.iter().filter(|name| !norms.contains(name)).cloned()),
     }
     let mut seen = std::collections::BTreeSet::new();
     state.retain(|name| seen.insert(name.clone()));

@@ -317,6 +317,92 @@ fn releases_tell_what_joints_hold() {
     same(tree[2], 0.0);
 }
 
+/// A frame by a quaternion that is let go: the reaction torques that hold a wheel's plane, against a twin by angles.
+#[test]
+fn what_holds_a_frame_by_a_quaternion() {
+    let told = |frame: TokenStream, coordinates: TokenStream, state: &[(&str, f64)]| {
+        let e = derived(quote! {
+            #[coordinates(#coordinates)]
+            #[frame(#frame)]
+            #[frame(W = rotate(B, y, s))]
+            #[release(gimbal = { frame: W, about: 3/5*B.x + 4/5*B.z }, post = { frame: B, about: N.z })]
+            #[body(wheel = { frame: W, center: O + l*B.x, mass: m, inertia: diag(i1, i2, i3) })]
+            #[gravity(-g*N.z)]
+            #[constraint(held: dot(angular_velocity(B), B.x) == 1)]
+            #[output(moment = reaction(gimbal), turning = reaction(post), pull = reaction(held))]
+            struct Wheel { m: f64, l: f64, i1: f64, i2: f64, i3: f64, g: f64 }
+        });
+        let number = |s: Symbol| {
+            let of = |name: &str| state.iter().find(|(known, _)| *known == name).map(|(_, value)| *value);
+            of(e.graph.name(s)).unwrap_or_else(|| panic!("{}", e.graph.name(s)))
+        };
+        e.graph.evaluate(&e.outputs.values, &number)
+    };
+    let parameters = [("m", 1.3), ("l", 0.4), ("i1", 0.3), ("i2", 0.5), ("i3", 0.4), ("g", 9.81)];
+    let (a, b, c, s): (f64, f64, f64, f64) = (0.7, -0.4, 1.1, 0.3);
+    let [da, db, dc, ds] = [1.0, -0.6, 0.8, 2.0];
+    // z, then x, then y.
+    let half = |angle: f64| (angle / 2.0).sin_cos();
+    let ((sa, ca), (sb, cb), (sc, cc)) = (half(a), half(b), half(c));
+    let (p, q) = ([ca * cb, ca * sb, sa * sb, sa * cb], [cc, 0.0, sc, 0.0]);
+    let e =
+        [p[0] * q[0] - p[2] * q[2], p[1] * q[0] - p[3] * q[2], p[2] * q[0] + p[0] * q[2], p[3] * q[0] + p[1] * q[2]];
+    // ω in the axes of the last rotation.
+    let (wx, wy) = (db * c.cos() - da * b.cos() * c.sin(), dc + da * b.sin());
+    let wz = db * c.sin() + da * b.cos() * c.cos();
+    // The row holds ω_x = 1: the rates of the angles are changed so that it does.
+    let da = da + (wx - 1.0) / (b.cos() * c.sin());
+    let (wy, wz) = (wy - (wx - 1.0) * -b.sin() / (b.cos() * c.sin()), wz + (wx - 1.0) / c.tan());
+    let angles = [("a", a), ("b", b), ("c", c), ("s", s), ("dot_a", da), ("dot_b", db), ("dot_c", dc), ("dot_s", ds)];
+    let numbers = [
+        ("e0", e[0]),
+        ("e1", e[1]),
+        ("e2", e[2]),
+        ("e3", e[3]),
+        ("s", s),
+        ("omega_B_x", 1.0),
+        ("omega_B_y", wy),
+        ("omega_B_z", wz),
+        ("dot_s", ds),
+    ];
+    let by_angles = told(
+        quote!(B = rotate(rotate(rotate(N, z, a), x, b), y, c)),
+        quote!(a, b, c, s),
+        &[&angles[..], &parameters].concat(),
+    );
+    let by_numbers = told(
+        quote!(B = quaternion(N, e0, e1, e2, e3)),
+        quote!(e0, e1, e2, e3, s),
+        &[&numbers[..], &parameters].concat(),
+    );
+    for (found, expected) in by_numbers.iter().zip(&by_angles) {
+        assert!((found - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{by_numbers:?} {by_angles:?}");
+    }
+}
+
+/// A pivot far from the centre, held by rows: on the sphere of unit quaternions M_d is a number, and nothing is divided by that moves;
+/// the row that holds the norm stays, though identity is decided where it vanishes.
+#[test]
+fn unit_quaternions_are_simplified_on_their_sphere() {
+    let e = derived(quote! {
+        #[coordinates(x, y, z, e0, e1, e2, e3)]
+        #[frame(B = quaternion(N, e0, e1, e2, e3))]
+        #[point(C = O + x*N.x + y*N.y + z*N.z)]
+        #[body(top = { frame: B, center: C, mass: m, inertia: diag(i1, i2, i3) })]
+        #[constraint(pivot: C == a*B.x + b*B.y + c*B.z)]
+        #[independent(omega_B_x, omega_B_y, omega_B_z)]
+        struct Top { m: f64, a: f64, b: f64, c: f64, i1: f64, i2: f64, i3: f64 }
+    });
+    assert_eq!(e.position_names, ["pivot_x", "pivot_y", "pivot_z", "norm_B"]);
+    assert_eq!(
+        e.graph.display(e.position_residual[3]),
+        "powi(e0, 2)/2 + powi(e1, 2)/2 + powi(e2, 2)/2 + powi(e3, 2)/2 - 1/2"
+    );
+    let moving: Vec<Symbol> = e.state_coordinates.iter().chain(&e.state_speeds).copied().collect();
+    assert!(e.mass_matrix.entries().iter().all(|entry| !e.graph.contains(*entry, &moving)));
+    assert!(e.guards.is_empty());
+}
+
 /// Each mistake once, in words.
 #[test]
 fn mistakes_are_told() {

@@ -1,8 +1,10 @@
 //! Mechanisms of the literature from geometry alone.
 
 pub mod arms;
+pub mod balls;
 pub mod bobs;
 pub mod disc;
+pub mod joints;
 pub mod rods;
 pub mod sleigh;
 pub mod top;

@@ -6,7 +6,7 @@ use super::names::Meaning;
 use super::system::{ComplementRow, Configuration, Independent, IndependentSpeed, Kinematics};
 use super::vocabulary::Vocabulary;
 use crate::symbolic::{Expr, Graph, Kind, Symbol};
-use crate::syntax::{Diagnostics, IndependentEntry, Place, Quantity, messages};
+use crate::syntax::{Diagnostics, IndependentEntry, Place, Quantity, Speed, messages};
 
 /// The lists of independent speeds, each speed over the carriers: v, or with a configuration its rates or quasi-velocities.
 pub(super) fn independent(
@@ -107,8 +107,15 @@ fn list(
                 Some(speed) => Ok(IndependentSpeed { place, ..speed.clone() }),
                 None => continue,
             },
+            (Some(Quantity::Name(_)), Some(Meaning::Speed(i))) if matches!(vocabulary.kinds[i], Speed::Norm(_)) => {
+                Err(messages::norm_rate_independent(&written))
+            }
             (Some(Quantity::Name(_)), Some(Meaning::Speed(i))) => {
                 rates.plain(rates.speeds[i], &written, place, vocabulary)
+            }
+            (Some(Quantity::Rate(..)), Some(Meaning::Coordinate(i))) if vocabulary.quaternion_of(i).is_some() => {
+                let (frame, angular) = vocabulary.quaternion_of(i).unwrap_or_default();
+                Err(messages::quaternion_rate_independent(&written, frame, angular))
             }
             (Some(Quantity::Name(_)), Some(Meaning::Quasi(i))) => {
                 let quasi = vocabulary.graph.var(vocabulary.quasi[i]);

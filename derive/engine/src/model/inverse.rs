@@ -7,7 +7,7 @@
 //! fills in least. A block's only divisors are then its determinant's factors.
 
 use crate::symbolic::blocks::{COFACTORS, cofactors, triangular};
-use crate::symbolic::{Expr, Graph, Matrix, Stage};
+use crate::symbolic::{Expr, Graph, Matrix, Stage, Symbol};
 
 /// An inverse and what it divides by.
 pub(super) struct Inverse {
@@ -203,9 +203,19 @@ fn orthogonal(graph: &mut Graph, block: &Matrix, by_rows: bool) -> Option<Vec<Ex
     (diagonal && norms.iter().all(|norm| !graph.vanishes(*norm))).then_some(norms)
 }
 
-/// The expression without the symbols on which it does not depend: sin² + cos² is 1.
+/// The expression without the symbols on which it does not depend: sin² + cos² is 1, as is the norm of a quaternion.
 fn settled(graph: &mut Graph, expression: Expr) -> Expr {
     let mut settled = expression;
+    for four in graph.spheres() {
+        if graph.contains(settled, &four) {
+            let (zero, one) = (graph.zero(), graph.one());
+            let unit: Vec<(Symbol, Expr)> = four.iter().map(|s| (*s, if *s == four[0] { one } else { zero })).collect();
+            let without = graph.substitute(&[settled], &unit)[0];
+            if graph.identical(settled, without) {
+                settled = without;
+            }
+        }
+    }
     for symbol in graph.symbols_of(&[expression]) {
         if graph.contains(settled, &[symbol]) {
             let zero = graph.zero();

@@ -10,7 +10,7 @@ use super::names::{Meaning, Mentions};
 use super::value::{Lowered, Value, Valued};
 use super::vocabulary::Vocabulary;
 use crate::symbolic::{Expr, Rational, Symbol};
-use crate::syntax::{Comparison, Diagnostics, Expression, Operator, Term, messages};
+use crate::syntax::{Comparison, Diagnostics, Expression, Operator, Term, messages, names_a_joint};
 
 impl Vocabulary<'_> {
     /// A scalar in the graph. `None` where something in it was reported, now or before.
@@ -178,6 +178,10 @@ impl Vocabulary<'_> {
                     let lowered = self.reaction(*span, arguments, terms, context, diagnostics);
                     mentions |= lowered.map_or(Mentions::NONE, |lowered| lowered.mentions);
                     lowered.map(|lowered| Value::Expr(lowered.expr))
+                }
+                Term::Call(function, _) if names_a_joint(function) && self.names.get(function).is_none() => {
+                    diagnostics.report(*span, messages::joint_out_of_place(function));
+                    None
                 }
                 Term::Call(function, arguments) => {
                     let taken: Vec<Option<Value>> =

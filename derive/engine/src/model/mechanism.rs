@@ -36,6 +36,8 @@ pub struct Along {
     pub inertia: Matrix,
     /// What they add to h*.
     pub forces: Vec<Expr>,
+    /// The rates of (x, t) of the model, norms of quaternions held.
+    pub motion: Vec<(Symbol, Expr)>,
 }
 
 /// A coordinate that stays zero.
@@ -65,7 +67,7 @@ pub enum Step {
     Turn {
         /// From components in the node's axes to those in the parent's.
         rotation: Rotation,
-        /// The angular velocity against the parent, over (v, x, t), in axes of either, whose components are the same.
+        /// The angular velocity against the parent, over (v, x, t), in the node's axes.
         spin: Triple,
         /// Whether the axes stay those of the parent though what is fixed to the node turns: its inertia is the same all the
         /// while.

@@ -53,7 +53,7 @@ pub use system::{
 };
 
 use crate::symbolic::{Expr, Matrix, Symbol};
-use crate::syntax::{Declarations, Diagnostics, Elimination, Place, messages};
+use crate::syntax::{Declarations, Diagnostics, Elimination, Expression, Place, messages};
 use context::Context;
 use names::Names;
 use vocabulary::Vocabulary;
@@ -92,6 +92,7 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
         return None;
     }
     let vocabulary = &mut Vocabulary::new(declarations, names);
+    beside_quaternions(vocabulary, diagnostics);
     geometry::order::lower(vocabulary, diagnostics);
     if bodies.is_some() {
         let inertia = declarations.inertia.as_ref().map(|given| (given.span.into(), messages::inertia_and_bodies()));
@@ -176,6 +177,7 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
         coordinates: vocabulary.coordinates.clone(),
         speeds: vocabulary.speeds.clone(),
         kinematics,
+        joint_speeds: declarations.speeds.is_none(),
         inertia: inertia?,
         forces: forces?,
         kinetic,
@@ -238,5 +240,32 @@ fn rates(kinematics: &Kinematics, vocabulary: &mut Vocabulary<'_>) -> Vec<(Symbo
     let speeds = graph.vars(&vocabulary.speeds);
     let moved = kinematics.a.mul_vec(graph, &speeds);
     let values: Vec<Expr> = moved.into_iter().zip(&kinematics.a0).map(|(rate, bias)| graph.add(rate, *bias)).collect();
-    vocabulary.rates.iter().copied().zip(values).collect()
+    // Norms do not change.
+    let held: Vec<(Symbol, Expr)> =
+        vocabulary.turnings.iter().map(|turning| (turning.norm_rate, graph.zero())).collect();
+    let values = if held.is_empty() { values } else { graph.substitute(&values, &held) };
+    let mut rates: Vec<(Symbol, Expr)> = vocabulary.rates.iter().copied().zip(values).collect();
+    rates.extend(vocabulary.turned.iter().copied());
+    rates
+}
+
+/// Statements that do not know the speeds of quaternions' frames.
+fn beside_quaternions(vocabulary: &Vocabulary<'_>, diagnostics: &mut Diagnostics) {
+    if vocabulary.quaternions.is_empty() {
+        return;
+    }
+    let declarations = vocabulary.declarations;
+    let given: [(Option<Place>, &str); 6] = [
+        (declarations.configuration.as_ref().map(|given| given.span.into()), "configuration"),
+        (declarations.velocities.as_ref().map(|given| given.span.into()), "velocities"),
+        (declarations.complement.as_ref().map(|given| given.span.into()), "complement"),
+        (declarations.inertia.as_ref().map(|given| given.span.into()), "inertia"),
+        (declarations.kinetic_energy.as_ref().map(Expression::place), "kinetic_energy"),
+        (declarations.forces.as_ref().map(|given| given.span.into()), "forces"),
+    ];
+    for (place, statement) in given {
+        if let Some(place) = place {
+            diagnostics.report(place, messages::quaternions_beside(statement));
+        }
+    }
 }

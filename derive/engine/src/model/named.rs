@@ -47,7 +47,11 @@ impl Vocabulary<'_> {
         let component = AXES.iter().find_map(|axis| name.strip_suffix(axis)?.strip_suffix('_'));
         let released = || self.declarations.geometry.releases().map(|release| &release.name);
         let declared = |name: &str| constraints.iter().map(|c| &c.name).chain(released()).any(|known| known == name);
-        if !declared(name) && !component.is_some_and(declared) {
+        let about_axes = constraints
+            .iter()
+            .filter(|constraint| constraint.right.is_none())
+            .any(|joint| name.strip_prefix(&joint.name.to_string()).is_some_and(|rest| rest.starts_with("_axes")));
+        if !declared(name) && !component.is_some_and(declared) && !about_axes {
             let names = constraints.iter().map(|constraint| &constraint.name).chain(released());
             let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
             let list = match names.as_slice() {

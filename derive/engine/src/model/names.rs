@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 
 use super::functions::FUNCTIONS;
 use super::geometry::VECTOR_FUNCTIONS;
-use crate::syntax::{Declarations, Diagnostics, Element, ElementKind, did_you_mean, messages, nearest};
+use crate::syntax::{Declarations, Diagnostics, Element, ElementKind, Speed, did_you_mean, messages, nearest};
 
 /// Names with a meaning of their own.
 const RESERVED: [(&str, &str); 4] =
@@ -104,8 +104,19 @@ impl Names {
         for (i, name) in declarations.configuration.iter().flat_map(|c| &c.further).enumerate() {
             enter(&name.ident, Meaning::Further(i));
         }
-        for (i, name) in declarations.speeds.iter().flat_map(|s| &s.names).enumerate() {
-            enter(&name.ident, Meaning::Speed(i));
+        let quaternions = declarations.quaternions();
+        for (i, speed) in declarations.all_speeds(&quaternions).into_iter().enumerate() {
+            let of = match speed {
+                Speed::Given(at) => declarations.speeds.as_ref().map(|speeds| speeds.names[at].ident.clone()),
+                Speed::Rate(_) => None,
+                Speed::Angular(at, _) | Speed::Norm(at) => {
+                    let name = declarations.speed_name(speed, &quaternions);
+                    Some(Ident::new(&name, quaternions[at].name.span()))
+                }
+            };
+            if let Some(ident) = of {
+                enter(&ident, Meaning::Speed(i));
+            }
         }
         for (i, name) in declarations.configuration.iter().flat_map(|c| &c.speeds).enumerate() {
             enter(&name.ident, Meaning::Quasi(i));

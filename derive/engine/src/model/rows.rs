@@ -3,12 +3,13 @@
 use super::context::Context;
 use super::geometry::Released;
 use super::geometry::equations::sides;
+use super::geometry::joints;
 use super::linear;
 use super::names::Mentions;
 use super::system::{Row, RowKind};
 use super::vocabulary::Vocabulary;
 use crate::symbolic::{Expr, Graph, Symbol};
-use crate::syntax::{Constraint, Diagnostics, messages};
+use crate::syntax::{Constraint, Diagnostics, Quaternion, messages};
 
 /// A row as written: left minus right, rates not yet replaced.
 pub(super) struct Written<'a> {
@@ -23,26 +24,29 @@ pub(super) struct Written<'a> {
 pub(super) fn lower<'a>(vocabulary: &mut Vocabulary<'a>, diagnostics: &mut Diagnostics) -> Vec<Written<'a>> {
     let variables = Mentions::COORDINATES.and(Mentions::SPEEDS).and(Mentions::RATES).and(Mentions::ACCELERATIONS);
     let mut written = Vec::new();
-    let mut names: Vec<String> = Vec::new();
+    let mut names: Vec<String> = vocabulary.quaternions.iter().map(Quaternion::norm).collect();
     for constraint in &vocabulary.declarations.constraints {
         let name = constraint.name.to_string();
         if names.contains(&name) {
             diagnostics.report(&constraint.name, messages::constraint_twice(&name));
         }
-        let left = vocabulary.value(&constraint.left, Context::CONSTRAINT, diagnostics);
-        let right = vocabulary.value(&constraint.right, Context::CONSTRAINT, diagnostics);
-        if let (Some(left), Some(right)) = (left, right) {
-            for (name, expr, mentions) in sides(constraint, left, right, vocabulary, diagnostics).into_iter().flatten()
-            {
-                if names.contains(&name) && constraint.name != name {
-                    diagnostics.report(&constraint.name, messages::constraint_twice(&name));
-                }
-                if mentions.intersects(variables) {
-                    names.push(name.clone());
-                    written.push(Written { constraint, name, expr, mentions });
-                } else {
-                    diagnostics.report(&constraint.name, messages::constraint_without_variable(&name));
-                }
+        let rows = match &constraint.right {
+            None => joints::rows(constraint, vocabulary, diagnostics),
+            Some(right) => {
+                let left = vocabulary.value(&constraint.left, Context::CONSTRAINT, diagnostics);
+                let right = vocabulary.value(right, Context::CONSTRAINT, diagnostics);
+                left.zip(right).and_then(|(left, right)| sides(constraint, left, right, vocabulary, diagnostics))
+            }
+        };
+        for (name, expr, mentions) in rows.into_iter().flatten() {
+            if names.contains(&name) && constraint.name != name {
+                diagnostics.report(&constraint.name, messages::constraint_twice(&name));
+            }
+            if mentions.intersects(variables) {
+                names.push(name.clone());
+                written.push(Written { constraint, name, expr, mentions });
+            } else {
+                diagnostics.report(&constraint.name, messages::constraint_without_variable(&name));
             }
         }
         names.push(name);
@@ -77,12 +81,29 @@ pub(super) fn finish(
             // A row binds what is let go as it binds v.
             let level = match &kind {
                 RowKind::Position(_) => 0,
-                RowKind::Velocity(_) | RowKind::Nonlinear(_) => 1,
+                RowKind::Velocity(_) | RowKind::Nonlinear(_) | RowKind::Norm { .. } => 1,
                 RowKind::Acceleration { .. } => 2,
             };
             let released = gradient.iter().map(|slopes| slopes[level]).collect();
             rows.push(Row { name, span, kind, redundant: constraint.redundant, released });
         }
+    }
+    rows.extend(norms(vocabulary));
+    rows
+}
+
+/// The rows that hold the norms of quaternions.
+fn norms(vocabulary: &mut Vocabulary<'_>) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (quaternion, turning) in vocabulary.quaternions.iter().zip(&vocabulary.turnings) {
+        let f = turning.norm(&vocabulary.coordinates, &mut vocabulary.graph);
+        rows.push(Row {
+            name: quaternion.norm(),
+            span: quaternion.name.span(),
+            kind: RowKind::Norm { f, rate: turning.norm_rate },
+            redundant: false,
+            released: vec![vocabulary.graph.zero(); vocabulary.released.len()],
+        });
     }
     rows
 }
@@ -108,13 +129,17 @@ pub(super) fn second_rates(rates: &[(Symbol, Expr)], vocabulary: &mut Vocabulary
         return Vec::new();
     }
     let graph = &mut vocabulary.graph;
+    // Behind the rates of coordinates there are components of angular velocities that are no speeds.
+    let n = vocabulary.coordinates.len();
     let first: Vec<Expr> = rates.iter().map(|(_, rate)| *rate).collect();
     let accelerations = graph.vars(&vocabulary.accelerations);
-    let mut motion: Vec<(Symbol, Expr)> = vocabulary.coordinates.iter().copied().zip(first.iter().copied()).collect();
+    let mut motion: Vec<(Symbol, Expr)> =
+        vocabulary.coordinates.iter().copied().zip(first[..n].iter().copied()).collect();
     motion.extend(vocabulary.speeds.iter().copied().zip(accelerations));
     motion.push((vocabulary.time, graph.one()));
     let second = graph.along(&first, &motion);
-    vocabulary.second_rates.iter().copied().zip(second).collect()
+    let angular = vocabulary.turnings.iter().flat_map(|turning| turning.omega_rates);
+    vocabulary.second_rates.iter().copied().chain(angular).zip(second).collect()
 }
 
 fn position(
@@ -127,6 +152,10 @@ fn position(
     let gradient = graph.jacobian(&[f], &vocabulary.coordinates);
     if all_vanish(graph, gradient.entries()) {
         diagnostics.report(&constraint.name, messages::constraint_without_variable(name));
+        return None;
+    }
+    if graph.vanishes(f) {
+        diagnostics.report(&constraint.name, messages::constraint_of_norm(name));
         return None;
     }
     Some(RowKind::Position(f))

@@ -25,6 +25,8 @@ pub struct InitialSystem {
     pub speeds: Vec<Symbol>,
     /// (2.1), (2.2).
     pub kinematics: Kinematics,
+    /// Whether v are the rates of coordinates and the angular velocities of frames by quaternions.
+    pub joint_speeds: bool,
     /// M of (2.3), n x n, symmetric.
     pub inertia: Matrix,
     /// h* of (2.3), n. Where there is a kinetic energy, the generalised forces in it that the model lists: the
@@ -65,6 +67,20 @@ pub struct InitialSystem {
 }
 
 impl InitialSystem {
+    /// The rates of norms of quaternions, which are zero.
+    pub fn norm_rates(&self) -> Vec<Symbol> {
+        let rate = |row: &Row| match row.kind {
+            RowKind::Norm { rate, .. } => Some(rate),
+            _ => None,
+        };
+        self.rows.iter().filter_map(rate).collect()
+    }
+
+    /// Zeros for these.
+    pub fn norms_held(&self) -> Vec<(Symbol, Expr)> {
+        self.norm_rates().into_iter().map(|rate| (rate, self.graph.zero())).collect()
+    }
+
     /// Whether v are the rates of x themselves.
     pub fn rates_are_speeds(&self) -> bool {
         let (a, n) = (&self.kinematics.a, self.speeds.len());
@@ -120,6 +136,14 @@ pub struct Row {
 pub enum RowKind {
     /// f(x, t) = 0.
     Position(Expr),
+    /// f(x) = 0 for the norm of a quaternion, whose rate is a speed of its own: at velocity level the row says that this is
+    /// zero. No force is needed to hold it: it has no multiplier.
+    Norm {
+        /// (e·e - 1)/2.
+        f: Expr,
+        /// σ, with ḟ = e·e σ.
+        rate: Symbol,
+    },
     /// φ(v, x, t) = 0, linear in v.
     Velocity(Expr),
     /// φ(v, x, t) = 0, not linear in v.

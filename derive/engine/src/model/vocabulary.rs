@@ -1,10 +1,10 @@
 //! The symbols of a model, by their names, and what is lowered so far.
 
-use super::geometry::{Geometry, Released};
+use super::geometry::{Geometry, Released, Turning};
 use super::names::Names;
 use super::value::{Lowered, Valued};
 use crate::symbolic::{Expr, Function, Graph, Kind, Symbol};
-use crate::syntax::Declarations;
+use crate::syntax::{Declarations, Quaternion, Speed};
 use proc_macro2::Span;
 
 /// The symbols of a model, by their names.
@@ -20,6 +20,8 @@ pub(super) struct Vocabulary<'a> {
     pub coordinates: Vec<Symbol>,
     pub further: Vec<Symbol>,
     pub speeds: Vec<Symbol>,
+    /// What each of them is.
+    pub kinds: Vec<Speed>,
     /// The rates of the initial coordinates; the speeds themselves where these have no names.
     pub rates: Vec<Symbol>,
     /// The rates of the speeds.
@@ -51,6 +53,11 @@ pub(super) struct Vocabulary<'a> {
     pub geometry: Geometry,
     /// What is released, in the order of the model's releases.
     pub released: Vec<Released>,
+    /// Frames by quaternions, and their symbols.
+    pub quaternions: Vec<Quaternion>,
+    pub turnings: Vec<Turning>,
+    /// What replaces components of angular velocities that are no speeds.
+    pub turned: Vec<(Symbol, Expr)>,
     /// The generalised forces on rates that are no speeds: the coordinate and the force.
     pub forces_on_rates: Vec<(usize, Expr)>,
 }
@@ -71,19 +78,40 @@ impl<'a> Vocabulary<'a> {
             None => Vec::new(),
         };
         let second_rates = symbols(rate_names(|x| format!("ddot({x})")), Kind::Speed);
-        let (speeds, rates, accelerations) = match &declarations.speeds {
-            Some(speeds) => {
-                let names = of(&speeds.names);
-                let accelerations = names.iter().map(|v| format!("dot({v})")).collect();
-                let speeds = symbols(names, Kind::Speed);
-                let rates = symbols(rate_names(|x| format!("dot({x})")), Kind::Speed);
-                (speeds, rates, symbols(accelerations, Kind::Speed))
-            }
-            None => {
-                let speeds = symbols(rate_names(|x| format!("dot_{x}")), Kind::Speed);
-                (speeds.clone(), speeds, second_rates.clone())
-            }
-        };
+        let quaternions = declarations.quaternions();
+        let kinds = declarations.all_speeds(&quaternions);
+        let names_of_speeds = kinds.iter().map(|speed| declarations.speed_name(*speed, &quaternions)).collect();
+        let speeds: Vec<Symbol> = symbols(names_of_speeds, Kind::Speed);
+        let place = |wanted: Speed| kinds.iter().position(|speed| *speed == wanted);
+        let rates: Vec<Symbol> = (0..coordinates.len())
+            .map(|i| match place(Speed::Rate(i)) {
+                Some(at) => speeds[at],
+                None => symbols(vec![format!("dot({})", coordinate_names[i])], Kind::Speed)[0],
+            })
+            .collect();
+        let accelerations: Vec<Symbol> = (0..speeds.len())
+            .map(|at| match kinds[at] {
+                Speed::Rate(i) => second_rates[i],
+                speed => {
+                    symbols(vec![format!("dot({})", declarations.speed_name(speed, &quaternions))], Kind::Speed)[0]
+                }
+            })
+            .collect();
+        // Where the model names speeds of its own, ω is given by these.
+        let turnings: Vec<Turning> = (0..quaternions.len())
+            .map(|at| {
+                let mut symbol = |of: &[Symbol], axis: usize, order: &str| match place(Speed::Angular(at, axis)) {
+                    Some(place) => of[place],
+                    None => symbols(vec![format!("{order}{}", quaternions[at].angular(axis))], Kind::Speed)[0],
+                };
+                Turning {
+                    coordinates: quaternions[at].coordinates,
+                    omega: std::array::from_fn(|axis| symbol(&speeds, axis, "")),
+                    omega_rates: std::array::from_fn(|axis| symbol(&accelerations, axis, "dot ")),
+                    norm_rate: place(Speed::Norm(at)).map_or(time, |place| speeds[place]),
+                }
+            })
+            .collect();
         let inputs = symbols(of(&declarations.inputs), Kind::Input);
         let quasi = declarations.configuration.as_ref().map_or(Vec::new(), |c| symbols(of(&c.speeds), Kind::Speed));
         let free = declarations.velocities.as_ref().map_or(Vec::new(), |v| symbols(of(&v.further), Kind::Speed));
@@ -94,6 +122,9 @@ impl<'a> Vocabulary<'a> {
             graph.give(&names)
         });
         let functions = functions.collect();
+        for turning in &turnings {
+            graph.on_sphere(turning.coordinates.map(|place| coordinates[place]));
+        }
         let geometry = Geometry::new(&graph, declarations);
         let released = declarations.geometry.releases().map(|release| Released::new(release, &mut graph)).collect();
         Vocabulary {
@@ -109,6 +140,7 @@ impl<'a> Vocabulary<'a> {
             quasi_rates: vec![None; quasi.len()],
             further,
             speeds,
+            kinds,
             rates,
             accelerations,
             second_rates,
@@ -122,8 +154,23 @@ impl<'a> Vocabulary<'a> {
             defines: vec![None; declarations.defines.len()],
             geometry,
             released,
+            quaternions,
+            turnings,
+            turned: Vec::new(),
             forces_on_rates: Vec::new(),
         }
+    }
+}
+
+impl Vocabulary<'_> {
+    /// The frame whose quaternion a coordinate belongs to, and the names of its speeds.
+    pub fn quaternion_of(&self, coordinate: usize) -> Option<(String, String)> {
+        let of = self.quaternions.iter().find(|quaternion| quaternion.coordinates.contains(&coordinate))?;
+        let angular: Vec<String> = match self.declarations.speeds {
+            None => (0..3).map(|axis| format!("`{}`", of.angular(axis))).collect(),
+            Some(_) => vec!["among `speeds`".to_owned()],
+        };
+        Some((of.name.to_string(), angular.join(", ")))
     }
 }
 

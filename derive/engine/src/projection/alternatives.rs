@@ -5,6 +5,7 @@
 //! costs, the equations of its motion. This step makes them; who weighs them chooses.
 
 use super::binding::{Binding, binding};
+use super::carriers::CarriedRow;
 use super::chart::chart;
 use super::pivots::NEW_GUARD;
 use super::tangent::tangent;
@@ -63,8 +64,11 @@ impl Alternatives {
         }
         let mut system = system.clone();
         let binding = binding(&mut system, &mut AsIs, &mut Diagnostics::new())?;
+        // Rows of norms leave no choice.
+        let chosen = |row: &CarriedRow| binding.rows[binding.sorted.kept[row.row]].reaction;
         let m = binding.carried.len();
-        (0 < m && m < binding.carriers.speeds.len()).then_some(Alternatives { system, binding })
+        (binding.carried.iter().any(chosen) && m < binding.carriers.speeds.len())
+            .then_some(Alternatives { system, binding })
     }
 
     /// Expressions in the arena before anything is chosen.

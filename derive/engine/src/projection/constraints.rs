@@ -22,6 +22,8 @@ pub struct DifferentiatedRow {
     pub velocity: Option<Expr>,
     /// The row of C (2.5).
     pub gradient: Vec<Expr>,
+    /// Whether a force holds it.
+    pub reaction: bool,
     /// c0* (2.6): the derivative of `velocity` along the motion with v̇ = 0, or as an acceleration row gives it.
     pub bias: Expr,
 }
@@ -55,18 +57,31 @@ pub fn motion(system: &mut InitialSystem) -> Vec<(Symbol, Expr)> {
     rates
 }
 
-/// All rows of the system, in the order of declaration.
+/// [`motion`] where the norms of quaternions keep their length.
+pub fn motion_of_norm(system: &mut InitialSystem) -> Vec<(Symbol, Expr)> {
+    let (mut motion, held) = (motion(system), system.norms_held());
+    if !held.is_empty() {
+        let rates: Vec<Expr> = motion.iter().map(|(_, rate)| *rate).collect();
+        let rates = system.graph.substitute(&rates, &held);
+        motion.iter_mut().zip(rates).for_each(|((_, rate), new)| *rate = new);
+    }
+    motion
+}
+
+/// All rows of the system, in the order of declaration. Those of norms take the rates of the norms out of all others.
 pub fn differentiate(system: &mut InitialSystem) -> Vec<DifferentiatedRow> {
-    let motion = motion(system);
+    let motion = motion_of_norm(system);
     let speeds = system.speeds.clone();
     system.rows.clone().into_iter().map(|row| differentiate_row(&mut system.graph, row, &motion, &speeds)).collect()
 }
 
 fn differentiate_row(graph: &mut Graph, row: Row, motion: &[(Symbol, Expr)], speeds: &[Symbol]) -> DifferentiatedRow {
     let Row { name, span, kind, redundant, .. } = row;
+    let reaction = !matches!(kind, RowKind::Norm { .. });
     let (linear, position, velocity) = match kind {
         // ḟ = f_x (A v + a0) + f_t; its gradient in v is f_x A, the first line of (2.5).
         RowKind::Position(f) => (true, Some(f), graph.along(&[f], motion)[0]),
+        RowKind::Norm { f, rate } => (true, Some(f), graph.var(rate)),
         RowKind::Velocity(phi) => (true, None, phi),
         // The same two lines hold: C = ∂φ/∂v, c0* = φ_x ẋ + φ_t.
         RowKind::Nonlinear(phi) => (false, None, phi),
@@ -79,11 +94,12 @@ fn differentiate_row(graph: &mut Graph, row: Row, motion: &[(Symbol, Expr)], spe
                 position: None,
                 velocity: None,
                 gradient,
+                reaction,
                 bias,
             };
         }
     };
     let gradient = graph.jacobian(&[velocity], speeds).row(0).to_vec();
     let bias = graph.along(&[velocity], motion)[0];
-    DifferentiatedRow { name, span, redundant, linear, position, velocity: Some(velocity), gradient, bias }
+    DifferentiatedRow { name, span, redundant, linear, position, velocity: Some(velocity), gradient, reaction, bias }
 }

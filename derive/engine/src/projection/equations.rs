@@ -156,6 +156,9 @@ pub struct Equations {
     pub constraint_bias: Vec<Expr>,
     /// f of every position row.
     pub position_residual: Vec<Expr>,
+    /// How many of these, the last ones, hold norms of quaternions: identity is decided where they are zero, and so they must stay as
+    /// they are.
+    pub norms: usize,
     /// φ, or ḟ, of every row of C that binds velocities.
     pub velocity_residual: Vec<Expr>,
     /// M v, n, of a model of bodies whose speeds are those of its joints; else empty.
@@ -198,17 +201,6 @@ impl Equations {
         bound.map(|row| row.name.clone()).collect()
     }
 
-    /// The rates of (x, t) in the initial system (2.1).
-    pub fn initial_motion(&mut self) -> Vec<(Symbol, Expr)> {
-        let graph = &mut self.graph;
-        let v = graph.vars(&self.speeds);
-        let moved = self.kinematic_matrix.mul_vec(graph, &v);
-        let rates: Vec<Expr> = moved.into_iter().zip(&self.kinematic_bias).map(|(a, b)| graph.add(a, *b)).collect();
-        let mut motion: Vec<(Symbol, Expr)> = self.coordinates.iter().copied().zip(rates).collect();
-        motion.push((self.time, graph.one()));
-        motion
-    }
-
     /// Whether M is told by what it does alone.
     pub fn is_recursive(&self) -> bool {
         self.inertia.rows() < self.speeds.len()
@@ -220,6 +212,7 @@ impl Equations {
         let mut roots: Vec<Expr> = equations.groups().into_iter().flatten().map(|e| *e).collect();
         roots.extend(self.outputs.values.iter().chain(&self.outputs.carried));
         roots.extend(self.momenta.iter().chain(&self.inverse_dynamics));
+        roots.extend(&self.position_residual[self.position_residual.len() - self.norms..]);
         roots
     }
 
@@ -249,6 +242,7 @@ impl Equations {
     /// them: they are made of these.
     pub fn groups(&mut self) -> Vec<Vec<&mut Expr>> {
         let guards = self.guards.iter_mut().map(|g| &mut g.expr);
+        let positions = self.position_residual.len() - self.norms;
         let mut groups = vec![
             self.coordinate_rates.iter_mut().chain(&mut self.accelerations).chain(guards).collect(),
             self.mass_matrix.entries_mut().iter_mut().chain(&mut self.forcing).collect(),
@@ -260,7 +254,7 @@ impl Equations {
             self.inertia.entries_mut().iter_mut().collect(),
             self.forces.iter_mut().collect(),
             self.constraint_matrix.entries_mut().iter_mut().chain(&mut self.constraint_bias).collect(),
-            self.position_residual.iter_mut().chain(&mut self.velocity_residual).collect(),
+            self.position_residual[..positions].iter_mut().chain(&mut self.velocity_residual).collect(),
             std::iter::once(&mut self.kinetic_energy).chain(self.potential_energy.as_mut()).collect(),
             self.carried_velocities.iter_mut().chain(&mut self.carried_rates).collect(),
             self.chart_speeds.iter_mut().flatten().collect(),

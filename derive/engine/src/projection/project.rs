@@ -147,6 +147,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         constraint_matrix: Matrix::from_rows(gradients, n),
         constraint_bias: all.iter().map(|i| rows[*i].bias).collect(),
         position_residual: positions.iter().filter_map(|row| row.position).collect(),
+        norms: rows.iter().filter(|row| !row.reaction).count(),
         velocity_residual: all.iter().filter_map(|i| rows[*i].velocity).collect(),
         momenta: Vec::new(),
         inverse_dynamics: Vec::new(),
@@ -217,7 +218,7 @@ fn name_multipliers(
     let graph = &mut system.graph;
     let all = sorted.rows();
     let mut named = NamedMultipliers::default();
-    for (i, row) in rows.iter().enumerate() {
+    for (i, row) in rows.iter().enumerate().filter(|(_, row)| row.reaction) {
         if let Some(position) = all.iter().position(|j| *j == i) {
             named.names.push(row.name.clone());
             named.rows.push(Some(position));

@@ -78,7 +78,9 @@ pub fn tangent(
     if let Some(choice) = &choice {
         let (width, m) = (carriers.speeds.len(), carried.len());
         if choice.speeds.len() + m != width {
-            errors.report(choice.span, messages::wrong_number_independent(choice.speeds.len(), width, m));
+            let norms = system.norm_rates().len();
+            let message = messages::wrong_number_independent(choice.speeds.len(), width - norms, m - norms);
+            errors.report(choice.span, message);
             return None;
         }
     }
@@ -99,6 +101,7 @@ pub fn tangent(
         Some(list) => (0..width).map(|j| !list.contains(&j)).collect(),
         None => vec![true; width],
     };
+    let norm_rates = system.norm_rates();
     let graph = &mut system.graph;
     let c = Matrix::from_rows(carried.iter().map(|row| row.gradient.clone()).collect(), width);
     let elimination = match eliminate(graph, simplifier, &c, &Choice { columns, new_guards: true }) {
@@ -108,7 +111,8 @@ pub fn tangent(
                 Stuck::Dependent { row, .. } | Stuck::Forbidden { row } => carried[row].row,
                 Stuck::NeedsGuard => 0,
             };
-            let names: Vec<&str> = carriers.speeds.iter().map(|s| graph.name(*s)).collect();
+            let free = carriers.speeds.iter().filter(|s| !norm_rates.contains(s));
+            let names: Vec<&str> = free.map(|s| graph.name(*s)).collect();
             let span = choice.map_or(rows[kept[row]].span, |choice| choice.span);
             errors.report(span, messages::not_independent(&rows[kept[row]].name, &names));
             return None;
@@ -148,7 +152,8 @@ pub fn tangent(
     }
     simplifier.settle(graph, &dependent);
     let names: Vec<String> = carried.iter().map(|row| rows[kept[row.row]].name.clone()).collect();
-    let note = note(graph, carriers, &elimination, &names, &speeds, &why);
+    let norms = rows.iter().filter(|row| !row.reaction).map(|row| row.name.as_str()).collect::<Vec<_>>();
+    let note = note(graph, carriers, &elimination, (&names, &norms), &speeds, &why);
     let pivots = elimination.values.clone();
     let rows = carried.iter().map(|row| row.row).collect();
     let elimination = Some(elimination);
@@ -170,11 +175,11 @@ fn note(
     graph: &Graph,
     carriers: &Carriers,
     e: &Elimination,
-    rows: &[String],
+    (rows, norms): (&[String], &[&str]),
     speeds: &[Symbol],
     why: &str,
 ) -> Option<String> {
-    if e.pivots.is_empty() {
+    if rows.iter().all(|row| norms.contains(&row.as_str())) {
         return None;
     }
     let names = |symbols: Vec<Symbol>| symbols.iter().map(|s| graph.name(*s)).collect::<Vec<_>>().join(", ");
@@ -183,7 +188,9 @@ fn note(
         .iter()
         .zip(&e.values)
         .zip(e.pivot_names(rows))
-        .map(|((j, value), called)| {
+        .zip(rows)
+        .filter(|(_, row)| !norms.contains(&row.as_str()))
+        .map(|(((j, value), called), _)| {
             format!("{} ({})", graph.name(carriers.speeds[*j]), readable(graph, *value, &called))
         })
         .collect();

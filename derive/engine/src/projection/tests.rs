@@ -94,6 +94,7 @@ fn disk() -> Disk {
         coordinates: xs,
         speeds: vs,
         kinematics: Kinematics { a, a0: zeros.clone(), b, b0: zeros, pivots: vec![c] },
+        joint_speeds: false,
         inertia,
         forces: vec![h1, h2, h3, h4, h5, zero],
         kinetic: None,

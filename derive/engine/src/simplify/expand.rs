@@ -246,6 +246,27 @@ fn one_minus_square(atom: Atom) -> Polynomial {
     value
 }
 
+/// The squares of each unit quaternion among the atoms, by what the others leave of one.
+pub fn spheres(graph: &Graph, atoms: &mut Atoms) -> Vec<Vec<Square>> {
+    let mut found = Vec::new();
+    for four in graph.spheres() {
+        let bases = four.map(|symbol| graph.var(symbol));
+        if !atoms.all().any(|atom| atoms.base(atom).is_some_and(|base| bases.contains(&base))) {
+            continue;
+        }
+        let four = bases.map(|base| atoms.of(graph, base));
+        let square = |atom: Atom| {
+            let mut value = Polynomial::number(Rational::ONE);
+            for other in four.iter().filter(|other| **other != atom) {
+                value.push(Monomial::power(*other, 2), Rational::MINUS_ONE);
+            }
+            Square { atom, value }
+        };
+        found.push(four.map(square).to_vec());
+    }
+    found
+}
+
 /// The angles among the atoms; a sine without its cosine gets it, and the reverse.
 pub fn angles(graph: &mut Graph, atoms: &mut Atoms) -> Vec<Angle> {
     let mut arguments: Vec<Expr> = Vec::new();

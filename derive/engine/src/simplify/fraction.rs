@@ -55,20 +55,21 @@ impl Fraction {
         Some(fraction)
     }
 
-    /// Divides out what divides exactly, trying the numerator in each of its trigonometric forms.
+    /// Divides out what divides exactly, trying the numerator in each of its trigonometric forms, and of those of quaternions.
     pub fn cancel(
         &mut self,
         graph: &Graph,
         depth: Depth,
         atoms: &mut Atoms,
         sums: &mut Sums,
-        angles: &[Angle],
+        (angles, spheres): (&[Angle], &[Vec<Square>]),
         work: &mut Work,
     ) -> Option<()> {
+        let of_spheres = |at: usize| spheres.iter().filter_map(move |squares| squares.get(at).cloned());
         let forms: [Vec<Square>; 3] = [
             Vec::new(),
-            angles.iter().map(Angle::sin_square).collect(),
-            angles.iter().map(Angle::cos_square).collect(),
+            angles.iter().map(Angle::sin_square).chain(of_spheres(0)).collect(),
+            angles.iter().map(Angle::cos_square).chain(of_spheres(3)).collect(),
         ];
         let reduced = |p: &Polynomial, form: &[Square], work: &mut Work| {
             form.iter()

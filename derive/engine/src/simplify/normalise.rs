@@ -2,7 +2,7 @@
 
 use super::angles::fold;
 use super::cost::{cost, total};
-use super::expand::{Angle, Atoms, Depth, angles, expand, reduce};
+use super::expand::{Angle, Atoms, Depth, Square, angles, expand, reduce, spheres};
 use super::factor::{Style, write};
 use super::fraction::{Fraction, Sums};
 use super::limits::{MODEL_WORK, NUMERATOR_FORMS};
@@ -61,18 +61,19 @@ fn forms_within(graph: &mut Graph, e: Expr, depth: Depth, work: &mut Work) -> Op
     let polynomial = expand(graph, e, depth, &mut atoms, work)?;
     let mut fraction = Fraction::of(graph, polynomial, depth, &mut atoms, &mut sums, work)?;
     let turns = angles(graph, &mut atoms);
-    fraction.cancel(graph, depth, &mut atoms, &mut sums, &turns, work)?;
+    let balls = spheres(graph, &mut atoms);
+    fraction.cancel(graph, depth, &mut atoms, &mut sums, (&turns, &balls), work)?;
     let mut out: Vec<Expr> = Vec::new();
     let styles: &[Style] = match fraction.denominator.keys().any(|a| atoms.runs(*a)) {
         true => &[Style::Split, Style::Joint],
         false => &[Style::Split],
     };
-    let mut numerators = variants(&fraction.numerator, &turns, &atoms, work);
+    let mut numerators = variants(&fraction.numerator, &squares(&turns, &balls), &atoms, work);
     if turns.len() > 1
         && let Some(folded) = fold(graph, &fraction.numerator, &turns, &mut atoms)
     {
         let more = angles(graph, &mut atoms);
-        let shortest = variants(&folded, &more, &atoms, work).swap_remove(0);
+        let shortest = variants(&folded, &squares(&more, &balls), &atoms, work).swap_remove(0);
         numerators.push(shortest);
     }
     for numerator in numerators {
@@ -88,25 +89,32 @@ fn forms_within(graph: &mut Graph, e: Expr, depth: Depth, work: &mut Work) -> Op
     Some((out, atoms))
 }
 
-/// The forms of a numerator under sin² + cos² = 1: as it is, and with the shorter choice for every angle in turn.
-fn variants(numerator: &Polynomial, angles: &[Angle], atoms: &Atoms, work: &mut Work) -> Vec<Polynomial> {
+/// The squares that may be written by others, angle by angle and quaternion by quaternion.
+fn squares(angles: &[Angle], spheres: &[Vec<Square>]) -> Vec<Vec<Square>> {
+    let of_angles = angles.iter().map(|angle| vec![angle.sin_square(), angle.cos_square()]);
+    of_angles.chain(spheres.iter().cloned()).collect()
+}
+
+/// The forms of a numerator under sin² + cos² = 1, and where the four squares of a unit quaternion add up to one: as it is, and with
+/// the shorter choice for every one of them in turn.
+fn variants(numerator: &Polynomial, choices: &[Vec<Square>], atoms: &Atoms, work: &mut Work) -> Vec<Polynomial> {
     let mut all = vec![numerator.clone()];
     let mut shortest = numerator.clone();
     let mut least = None;
-    // One angle's choice may open another's, so the angles are gone through again while something changes.
-    for _ in 0..angles.len() {
+    // One choice may open another, so they are gone through again while something changes.
+    for _ in 0..choices.len() {
         let before = all.len();
-        for angle in angles {
-            for square in [angle.sin_square(), angle.cos_square()] {
+        for squares in choices {
+            for square in squares {
                 if !square.applies(&shortest) {
                     continue;
                 }
-                let Some(form) = reduce(&shortest, &square, work) else { continue };
+                let Some(form) = reduce(&shortest, square, work) else { continue };
                 let (new, old) = (length(&form, atoms), least.unwrap_or_else(|| length(&shortest, atoms)));
                 least = Some(new.min(old));
                 if new < old {
                     all.push(std::mem::replace(&mut shortest, form));
-                } else if angles.len() == 1 {
+                } else if choices.len() == 1 {
                     all.push(form);
                 }
             }

@@ -22,6 +22,8 @@ pub struct Graph {
     pub(super) points: RefCell<Points>,
     pub(super) samples: RefCell<Samples>,
     pub(super) given: Vec<Given>,
+    /// Symbols whose squares add up to one, by fours.
+    pub(super) spheres: Vec<[Symbol; 4]>,
     /// What was rewritten to something else.
     pub(super) broken: Option<(Expr, Expr)>,
     pi: Symbol,
@@ -47,6 +49,7 @@ impl Graph {
             points: RefCell::default(),
             samples: RefCell::default(),
             given: Vec::new(),
+            spheres: Vec::new(),
             broken: None,
             pi: Symbol(0),
         };
@@ -63,6 +66,24 @@ impl Graph {
         self.symbols.push((name.to_owned(), kind, expr));
         self.intern(Node::Symbol(symbol));
         symbol
+    }
+
+    /// The squares of four new symbols add up to one: identity is decided where they do. Of what is identical there, the
+    /// derivatives along all directions that keep the sum are identical too, and those across it are not.
+    pub fn on_sphere(&mut self, symbols: [Symbol; 4]) {
+        self.spheres.push(symbols);
+        self.points = RefCell::default();
+        self.samples = RefCell::default();
+    }
+
+    /// The symbols whose squares add up to one, by fours.
+    pub fn spheres(&self) -> Vec<[Symbol; 4]> {
+        self.spheres.clone()
+    }
+
+    /// The sphere on which a symbol lies, and its place there.
+    pub(super) fn sphere_of(&self, symbol: Symbol) -> Option<(&[Symbol; 4], usize)> {
+        self.spheres.iter().find_map(|four| Some((four, four.iter().position(|other| *other == symbol)?)))
     }
 
     /// The symbol's name.

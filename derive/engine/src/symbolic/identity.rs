@@ -1,7 +1,7 @@
 //! Identity decided by evaluation modulo primes.
 //!
 //! Two expressions are called identical where they agree at three fixed points modulo each of two primes. Symbols are
-//! random residues. An angle goes by the half-angle parameter τ of its base angles, sin = 2τ/(1+τ²),
+//! random residues; those of a unit quaternion are a random point of its sphere. An angle goes by the half-angle parameter τ of its base angles, sin = 2τ/(1+τ²),
 //! cos = (1-τ²)/(1+τ²), so that every trigonometric identity with rational multiples of the base angles holds
 //! exactly; exponentials, hyperbolic functions and real powers likewise by powers of a random base. Every residue has a root in the field with p² elements, so
 //! only a root of what holds roots may make a point unfit, and another is drawn; the branch is fixed by the argument; |a| is
@@ -12,7 +12,7 @@
 //! either sign, must not contradict.
 
 use super::modular::{Element, Field, PRIMES, mix};
-use super::{Expr, Function, Graph, Node, Rational};
+use super::{Expr, Function, Graph, Node, Rational, Symbol};
 
 /// Denominators that divide this have exact angle multiples, decimals of four places among them: τ belongs to the angle over this
 /// number.
@@ -67,6 +67,22 @@ impl Point {
         self.values[e.index()]
     }
 
+    fn drawn(&self, symbol: Symbol) -> Element {
+        self.field.draw(self.salt.wrapping_add(mix(symbol.index() as u64 + 1)))
+    }
+
+    /// A point of the sphere by its stereographic projection: (1 - s·s, 2 s)/(1 + s·s).
+    fn on_sphere(&self, four: &[Symbol; 4], at: usize) -> Option<Element> {
+        let f = self.field;
+        let s = [four[1], four[2], four[3]].map(|symbol| self.drawn(symbol));
+        let square = s.iter().fold(Element::ZERO, |sum, s| f.add(sum, f.mul(*s, *s)));
+        let over = match at.checked_sub(1) {
+            Some(at) => f.add(s[at], s[at]),
+            None => f.add(Element::ONE, f.neg(square)),
+        };
+        Some(f.mul(over, f.recip(f.add(Element::ONE, square))?))
+    }
+
     fn child(&self, e: Expr) -> Option<Element> {
         self.values[e.index()]
     }
@@ -75,7 +91,10 @@ impl Point {
         let f = self.field;
         Ok(match graph.node(e) {
             Node::Number(number) => f.rational(number),
-            Node::Symbol(symbol) => Some(f.draw(self.salt.wrapping_add(mix(symbol.index() as u64 + 1)))),
+            Node::Symbol(symbol) => match graph.sphere_of(*symbol) {
+                Some((four, at)) => self.on_sphere(four, at),
+                None => Some(self.drawn(*symbol)),
+            },
             Node::Sum { constant, terms } => self.linear(constant, terms),
             Node::Product(factors) => factors.iter().try_fold(Element::ONE, |total, (base, exponent)| {
                 let base = self.child(*base)?;

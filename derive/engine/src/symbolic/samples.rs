@@ -35,7 +35,7 @@ impl Graph {
 
     /// Values in double precision at points near zero; none where they are not finite.
     pub(super) fn near_zero(&self, e: Expr, found: &mut Samples) -> [Option<f64>; SAMPLES] {
-        let mut near = Sampled { pi: self.pi_symbol(), reach: [1.5; 3] };
+        let mut near = Sampled { pi: self.pi_symbol(), reach: [1.5; 3], spheres: self.spheres.clone() };
         let values = self.evaluate_further(&[e], &mut near, &mut found.0).swap_remove(0);
         std::array::from_fn(|k| Some(values[k].0).filter(|x| x.is_finite() && *x != 0.0))
     }
@@ -65,12 +65,14 @@ struct Sampled {
     pi: Symbol,
     /// How far from zero the values of symbols are, point by point.
     reach: [f64; 3],
+    /// Symbols whose squares add up to one.
+    spheres: Vec<[Symbol; 4]>,
 }
 
 impl Sampled {
     /// Points near and far: a root may be real only beyond some value.
     fn of(graph: &Graph) -> Self {
-        Sampled { pi: graph.pi_symbol(), reach: [2.0, 30.0, 500.0] }
+        Sampled { pi: graph.pi_symbol(), reach: [2.0, 30.0, 500.0], spheres: graph.spheres.clone() }
     }
 
     /// One operation at every point.
@@ -94,7 +96,11 @@ impl Algebra for Sampled {
         vec![(x, x.abs()); SAMPLES].into_boxed_slice()
     }
     fn symbol(&mut self, symbol: Symbol) -> Self::Value {
-        self.each(|scaled, _| scaled.symbol(symbol))
+        let own = self.each(|scaled, _| scaled.symbol(symbol));
+        let Some(four) = self.spheres.iter().find(|four| four.contains(&symbol)).copied() else { return own };
+        let four = four.map(|symbol| self.each(|scaled, _| scaled.symbol(symbol)));
+        let length = |k: usize| four.iter().map(|values| values[k].0 * values[k].0).sum::<f64>().sqrt();
+        (0..SAMPLES).map(|k| (own[k].0 / length(k), own[k].1 / length(k))).collect()
     }
     fn add(&mut self, a: &Self::Value, b: &Self::Value) -> Self::Value {
         self.each(|scaled, k| scaled.add(&a[k], &b[k]))

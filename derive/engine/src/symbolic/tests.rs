@@ -385,3 +385,35 @@ fn functions_of_the_users_are_differentiated_order_by_order() {
     let other = g.function(road, &[minus]);
     assert!(g.identical(one, other) && !g.identical(one, value) && !g.identical(first, value));
 }
+
+/// The rotation of a unit quaternion is orthogonal where the squares add up to one, and where they do not it is not.
+#[test]
+fn what_holds_on_the_sphere_is_identical() {
+    let mut g = Graph::new();
+    let symbols = ["a", "b", "c", "d"].map(|name| g.symbol(name, Kind::Coordinate));
+    let product = |g: &mut Graph| {
+        let [a, b, c, d] = symbols.map(|symbol| g.var(symbol));
+        let squares = [a, b, c, d].map(|e| g.powi(e, 2));
+        let sum = g.sum(&squares);
+        // The first row of R by itself and by the second: (a² + b² - c² - d², 2 (b c - a d), 2 (b d + a c)).
+        let (x, y) = (g.add(squares[0], squares[1]), g.add(squares[2], squares[3]));
+        let along = g.sub(x, y);
+        let (bc, ad, bd, ac) = (g.mul(b, c), g.mul(a, d), g.mul(b, d), g.mul(a, c));
+        let (across, up) = (g.sub(bc, ad), g.add(bd, ac));
+        let two = g.integer(2);
+        let row = [along, g.mul(two, across), g.mul(two, up)];
+        (sum, g.dot(&row, &row))
+    };
+    let (sum, length) = product(&mut g);
+    let one = g.one();
+    assert!(!g.identical(sum, one) && !g.identical(length, one));
+    g.on_sphere(symbols);
+    assert!(g.identical(sum, one) && g.identical(length, one));
+    // Where roots occur, values in double precision have their say.
+    let (more, two) = (g.add(sum, one), g.integer(2));
+    let (root, expected, other) = (g.sqrt(more), g.sqrt(two), g.sqrt(sum));
+    assert!(g.identical(root, expected) && !g.identical(root, other));
+    let [a, b, ..] = symbols.map(|symbol| g.var(symbol));
+    let part = g.mul(a, b);
+    assert!(!g.identical(part, one) && !g.vanishes(part) && !g.identical(a, b));
+}

@@ -250,15 +250,15 @@ pub enum InertiaEntry {
     Symmetric(Span),
 }
 
-/// `#[constraint(name: left == right)]`, or with `, redundant` behind it.
+/// `#[constraint(name: left == right)]` or `#[constraint(name: spherical(P, Q))]`, or with `, redundant` behind it.
 #[derive(Clone, Debug)]
 pub struct Constraint {
     /// The constraint's name: the name of its multiplier and of its reaction.
     pub name: Ident,
-    /// The left side, on which λ acts.
+    /// The left side, on which λ acts; or a joint.
     pub left: Expression,
-    /// The right side.
-    pub right: Expression,
+    /// The right side; `None` for a joint.
+    pub right: Option<Expression>,
     /// Whether the model says that it may depend on other constraints.
     pub redundant: bool,
     /// `expressed = B`: the frame of whose axes a vector equation's rows are components.

@@ -127,7 +127,11 @@ impl Expression {
         }
         let terms: Vec<(Term, Span)> =
             self.terms[first..=at].iter().map(|(term, span)| (term.shifted(first), *span)).collect();
-        let place = Place::between(self.terms[first].1, self.terms[at].1);
+        // The token of a call stands before its arguments.
+        let place = match &self.terms[at] {
+            (Term::Call(..), function) => (*function).into(),
+            (_, last) => Place::between(self.terms[first].1, *last),
+        };
         Expression { terms, place }
     }
 

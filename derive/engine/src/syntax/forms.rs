@@ -7,6 +7,7 @@ use super::declarations::*;
 use super::diagnostics::{Diagnostics, Place, messages};
 use super::entries::{self, Entry, double_equals, is_colon, quantity, single_equals, single_ident};
 use super::expression::{Expression, is_punct};
+use super::joints::is_joint;
 
 pub(super) fn names(entries: &[Entry], diagnostics: &mut Diagnostics) -> Vec<Name> {
     entries.iter().flat_map(|entry| entry.names(diagnostics)).collect()
@@ -128,7 +129,7 @@ pub(super) fn constraints(entries: &[Entry], diagnostics: &mut Diagnostics) -> V
     read
 }
 
-/// `name: left == right`
+/// `name: left == right`, or `name: spherical(P, Q)`
 fn constraint(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<Constraint> {
     let (name, colon, equation) = match entry.tokens.as_slice() {
         [name, colon, equation @ ..] if is_colon(colon) => (entries::ident(name, diagnostics), colon.span(), equation),
@@ -141,7 +142,11 @@ fn constraint(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<Constraint
         [at] => {
             let left = Expression::read(&equation[..*at], colon, diagnostics);
             let right = Expression::read(&equation[at + 2..], equation[at + 1].span(), diagnostics);
-            Some(Constraint { name: name?, left, right, redundant: false, expressed: None })
+            Some(Constraint { name: name?, left, right: Some(right), redundant: false, expressed: None })
+        }
+        [] if is_joint(equation) => {
+            let left = Expression::read(equation, colon, diagnostics);
+            Some(Constraint { name: name?, left, right: None, redundant: false, expressed: None })
         }
         [] => {
             match single_equals(equation) {

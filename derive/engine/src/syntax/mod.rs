@@ -13,9 +13,11 @@ mod fields;
 mod forms;
 mod geometry;
 mod integer;
+mod joints;
 mod nesting;
 mod number;
 mod options;
+mod quaternions;
 mod read;
 mod refusal;
 mod statements;
@@ -30,6 +32,8 @@ pub(crate) use diagnostics::{did_you_mean, messages};
 pub(crate) use expression::AXES;
 pub use expression::{Comparison, Expression, Operator, Term};
 pub use geometry::{BodyInertia, Element, ElementKind, Geometry};
+pub(crate) use joints::{JOINTS, ROTATIONS, is_quaternion, names_a_joint};
+pub use quaternions::{Quaternion, Speed};
 pub use statements::{FIELD_STATEMENTS, STATEMENTS, helper_attributes};
 
 /// Reads a derive input without an error.

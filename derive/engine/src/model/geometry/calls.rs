@@ -224,7 +224,7 @@ impl Vocabulary<'_> {
     }
 
     /// The velocity of the material point of a body at a position: v_C + ω × r.
-    fn velocity_in(&mut self, position: &Vector, rigid: Rigid) -> Vector {
+    pub(super) fn velocity_in(&mut self, position: &Vector, rigid: Rigid) -> Vector {
         let motion = self.motion();
         let (graph, geometry) = (&mut self.graph, &self.geometry);
         let center = Vector { from: rigid.center, parts: Vec::new() };

@@ -5,7 +5,7 @@ use crate::model::names::Mentions;
 use crate::model::value::{Value, Valued};
 use crate::model::vocabulary::Vocabulary;
 use crate::symbolic::Expr;
-use crate::syntax::{AXES, Constraint, Diagnostics, messages};
+use crate::syntax::{AXES, Constraint, Diagnostics, Place, messages};
 
 /// The rows of a constraint, left minus right, with their names; `None` where something was reported.
 pub(in crate::model) fn sides(
@@ -24,14 +24,14 @@ pub(in crate::model) fn sides(
         (Value::Vector(left), right) => match zero(&right, vocabulary) {
             true => (left, Vector::default()),
             false => {
-                diagnostics.report(constraint.right.place(), messages::scalar_equation_of_vector());
+                diagnostics.report(place_of_right(constraint), messages::scalar_equation_of_vector());
                 return None;
             }
         },
         (left, Value::Vector(right)) => match zero(&left, vocabulary) {
             true => (Vector::default(), right),
             false => {
-                diagnostics.report(constraint.right.place(), messages::vector_equation_of_scalar());
+                diagnostics.report(place_of_right(constraint), messages::vector_equation_of_scalar());
                 return None;
             }
         },
@@ -45,6 +45,30 @@ pub(in crate::model) fn sides(
             return Some(vec![(name, graph.sub(left, right), mentions)]);
         }
     };
+    let (graph, geometry) = (&mut vocabulary.graph, &vocabulary.geometry);
+    let back = right.negative(graph, geometry);
+    let vector = left.plus(&back, graph, geometry);
+    let rows = components(constraint, &vector, mentions, vocabulary, diagnostics)?;
+    if rows.is_empty() {
+        diagnostics.report(&constraint.name, messages::vector_equation_empty(&name));
+        return None;
+    }
+    Some(rows)
+}
+
+fn place_of_right(constraint: &Constraint) -> Place {
+    constraint.right.as_ref().unwrap_or(&constraint.left).place()
+}
+
+/// The components of a vector that do not vanish, in the axes in which the constraint is expressed.
+pub(super) fn components(
+    constraint: &Constraint,
+    vector: &Vector,
+    mentions: Mentions,
+    vocabulary: &mut Vocabulary<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Vec<(String, Expr, Mentions)>> {
+    let name = &constraint.name;
     let (frame, turning) = match &constraint.expressed {
         Some(frame) => {
             let frame = vocabulary.frame_named(&frame.to_string(), frame.span(), diagnostics)?;
@@ -53,17 +77,9 @@ pub(in crate::model) fn sides(
         None => (0, Mentions::NONE),
     };
     let (graph, geometry) = (&mut vocabulary.graph, &vocabulary.geometry);
-    let back = right.negative(graph, geometry);
-    let components = left.plus(&back, graph, geometry).expressed(frame, graph, geometry);
-    let rows: Vec<(String, Expr, Mentions)> = components
-        .into_iter()
-        .zip(AXES)
+    let components = vector.expressed(frame, graph, geometry).into_iter().zip(AXES);
+    let rows = components
         .filter(|(e, _)| !graph.vanishes(*e))
-        .map(|(e, axis)| (format!("{name}_{axis}"), e, mentions.and(turning)))
-        .collect();
-    if rows.is_empty() {
-        diagnostics.report(&constraint.name, messages::vector_equation_empty(&name));
-        return None;
-    }
-    Some(rows)
+        .map(|(e, axis)| (format!("{name}_{axis}"), e, mentions.and(turning)));
+    Some(rows.collect())
 }

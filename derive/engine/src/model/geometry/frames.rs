@@ -1,4 +1,4 @@
-//! Frames that turn against others about axes that are fixed in both.
+//! Frames that turn against others: about axes that are fixed in both, or by quaternions.
 
 use super::Vector;
 use super::vector::path;
@@ -7,7 +7,7 @@ use crate::model::names::{Meaning, Mentions};
 use crate::model::value::Lowered;
 use crate::model::vocabulary::Vocabulary;
 use crate::symbolic::{Expr, Rotation, Stage, Symbol, Triple};
-use crate::syntax::{AXES, Diagnostics, Expression, Term, did_you_mean, messages, nearest};
+use crate::syntax::{AXES, Diagnostics, Expression, ROTATIONS, Term, did_you_mean, is_quaternion, messages, nearest};
 use proc_macro2::Span;
 
 /// A frame.
@@ -17,7 +17,7 @@ pub(in crate::model) struct Frame {
     pub base: usize,
     /// From components in its axes to those in the base's.
     pub rotation: Rotation,
-    /// The angular velocity against the base.
+    /// The angular velocity against the base, in its own axes.
     pub spin: Triple,
     /// The angular velocity against the inertial frame, in its own axes.
     pub omega: Triple,
@@ -26,23 +26,62 @@ pub(in crate::model) struct Frame {
 }
 
 impl Vocabulary<'_> {
-    /// `rotate(base, axis, angle)`, the base perhaps such a rotation itself; the last is the frame of that name.
+    /// `rotate(base, axis, angle)`, the base perhaps such a rotation itself; the last is the frame of that name. Or
+    /// `quaternion(base, e0, e1, e2, e3)` with such a base. Joints in short are other names for them.
     pub(super) fn frame(&mut self, called: &str, written: &Expression, diagnostics: &mut Diagnostics) -> Option<usize> {
+        match written.terms().last() {
+            Some((Term::Call(function, arguments), span)) if is_quaternion(function) => {
+                let arguments = arguments.clone();
+                if arguments.len() != 5 {
+                    diagnostics.report(*span, messages::quaternion_form(function));
+                    return None;
+                }
+                let base = self.chain(called, &written.part(arguments[0]), true, diagnostics);
+                self.turned_by_quaternion(called, base, (written, &arguments), diagnostics)
+            }
+            _ => self.chain(called, written, false, diagnostics),
+        }
+    }
+
+    /// A chain of rotations, which may be `empty`.
+    fn chain(
+        &mut self,
+        called: &str,
+        written: &Expression,
+        empty: bool,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<usize> {
+        let mut empty = empty;
         // From the outermost call inwards.
         let mut turns: Vec<(Expression, Expression)> = Vec::new();
         let mut at = written.clone();
         loop {
             let terms = at.terms();
             match terms.last() {
-                Some((Term::Call(function, arguments), span)) if function == "rotate" => {
-                    let [base, axis, angle] = arguments.as_slice() else {
-                        diagnostics.report(*span, messages::frame_form());
+                Some((Term::Call(function, _), span)) if is_quaternion(function) => {
+                    diagnostics.report(*span, messages::quaternion_inside());
+                    return None;
+                }
+                Some((Term::Call(function, arguments), span))
+                    if ROTATIONS.iter().any(|(known, ..)| function == known) =>
+                {
+                    let form = ROTATIONS.iter().find(|(known, ..)| function == known);
+                    let Some((base, turned)) =
+                        arguments.split_first().filter(|_| form.is_some_and(|(_, count, _)| *count == arguments.len()))
+                    else {
+                        let message = match form {
+                            Some((known, _, form)) if *known != "rotate" => messages::joint_form(form),
+                            _ => messages::frame_form(),
+                        };
+                        diagnostics.report(*span, message);
                         return None;
                     };
-                    turns.push((at.part(*axis), at.part(*angle)));
+                    // The last rotation comes first, and none at all is a weld.
+                    empty |= turned.is_empty();
+                    turns.extend(turned.chunks_exact(2).rev().map(|pair| (at.part(pair[0]), at.part(pair[1]))));
                     at = at.part(*base);
                 }
-                Some((Term::Name(name), span)) if !turns.is_empty() => {
+                Some((Term::Name(name), span)) if empty || !turns.is_empty() => {
                     let base = self.frame_named(name, *span, diagnostics);
                     let mut frame = base.and_then(|base| self.turned_loose(called, base, diagnostics));
                     for (axis, angle) in turns.iter().rev() {
@@ -105,6 +144,12 @@ impl Vocabulary<'_> {
         let graph = &mut self.graph;
         let rotation = graph.rotation(&axis, angle);
         let spin = graph.times(rate, &axis);
+        self.pushed(base, rotation, spin, mentions)
+    }
+
+    /// A new frame by its rotation and its angular velocity against its base.
+    pub(super) fn pushed(&mut self, base: usize, rotation: Rotation, spin: Triple, mentions: Mentions) -> usize {
+        let graph = &mut self.graph;
         let parent = &self.geometry.frames[base];
         let carried = graph.turned_back(&rotation, &parent.omega);
         let omega = graph.plus(&carried, &spin);
@@ -173,6 +218,11 @@ impl Vocabulary<'_> {
     pub(super) fn motion(&mut self) -> Vec<(Symbol, Expr)> {
         let rates = self.graph.vars(&self.rates);
         let mut motion: Vec<(Symbol, Expr)> = self.coordinates.iter().copied().zip(rates).collect();
+        for turning in &self.turnings {
+            for (place, rate) in turning.moved(&self.coordinates, &mut self.graph) {
+                motion[place].1 = rate;
+            }
+        }
         motion.extend(self.released.iter().map(|released| (released.coordinate, self.graph.var(released.rate))));
         motion.push((self.time, self.graph.one()));
         motion
@@ -183,6 +233,10 @@ impl Vocabulary<'_> {
         let second = self.graph.vars(&self.second_rates);
         let mut motion = self.motion();
         motion.extend(self.rates.iter().copied().zip(second));
+        for turning in &self.turnings {
+            let rates = turning.omega_rates.map(|symbol| self.graph.var(symbol));
+            motion.extend(turning.omega.into_iter().zip(rates));
+        }
         motion.extend(self.released.iter().map(|released| (released.rate, self.graph.var(released.second))));
         motion
     }

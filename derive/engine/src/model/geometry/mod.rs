@@ -4,6 +4,8 @@
 //! |---|---|
 //! | `vector` | vectors over several frames, products, rates |
 //! | `frames` | frames that turn against others |
+//! | `quaternions` | frames by unit quaternions |
+//! | `joints` | joints in short |
 //! | `places` | points, each a step away from another |
 //! | `releases` | what is let go, to tell its reaction |
 //! | `calls` | the functions of vectors |
@@ -18,9 +20,11 @@ mod bodies;
 mod calls;
 pub(super) mod equations;
 mod frames;
+pub(super) mod joints;
 pub(super) mod order;
 mod places;
 mod possible;
+mod quaternions;
 mod releases;
 mod shapes;
 mod tree;
@@ -30,6 +34,7 @@ pub(super) use bodies::mechanism;
 pub(super) use calls::{VECTOR_FUNCTIONS, VectorCall, names_a_body};
 pub(super) use frames::Frame;
 pub(super) use places::Place;
+pub(super) use quaternions::Turning;
 pub(super) use releases::Released;
 pub(super) use vector::Vector;
 

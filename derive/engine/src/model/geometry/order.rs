@@ -150,7 +150,8 @@ fn item(item: Item, vocabulary: &mut Vocabulary<'_>, diagnostics: &mut Diagnosti
         }
         Item::Point(i) => {
             let point = &declarations.geometry.points[i];
-            let vector = vocabulary.lower_vector(&point.value, Context::GEOMETRY, diagnostics);
+            let slid = vocabulary.slid(&point.value, diagnostics);
+            let vector = slid.unwrap_or_else(|| vocabulary.lower_vector(&point.value, Context::GEOMETRY, diagnostics));
             vocabulary.geometry.named_points[i] = vector.and_then(|(vector, mentions)| {
                 let vector = vocabulary.let_go(&point.name.to_string(), vector, diagnostics)?;
                 Some((vocabulary.place(&vector), mentions))

@@ -186,6 +186,7 @@ pub fn disk_stage() -> Equations {
         constraint_matrix: none,
         constraint_bias: Vec::new(),
         position_residual: Vec::new(),
+        norms: 0,
         velocity_residual: Vec::new(),
         kinetic_energy: zero,
         potential_energy: None,

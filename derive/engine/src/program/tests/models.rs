@@ -115,6 +115,7 @@ pub fn reduce(given: Given) -> Equations {
         constraint_matrix: c,
         constraint_bias,
         position_residual: given.residual,
+        norms: 0,
         velocity_residual,
         momenta: Vec::new(),
         inverse_dynamics: Vec::new(),

@@ -24,9 +24,10 @@ pub fn further(
     motion: &[(Symbol, Expr)],
     potential: Potential,
 ) -> Further {
+    let norms = system.norm_rates();
     let graph = &mut system.graph;
     let (inertia, kinetic) = (Matrix::zeros(graph, speeds.len(), speeds.len()), graph.zero());
-    let along = Along { inertia, forces: vec![graph.zero(); speeds.len()] };
+    let along = Along { inertia, forces: vec![graph.zero(); speeds.len()], motion: motion.to_vec() };
     let mut further = Further { along, kinetic, potential };
     lines::add(graph, &mechanism.lines, speeds, motion, &mut further);
     if let Some(given) = system.potential {
@@ -41,6 +42,11 @@ pub fn further(
     }
     for ((force, listed), further) in further.along.forces.iter_mut().zip(&system.forces).zip(&mechanism.generalized) {
         *force = graph.sum(&[*force, *listed, *further]);
+    }
+    // A norm has no inertia, no force acts along it, and its rate is zero: any other inertia leaves M regular and changes nothing else.
+    for (i, _) in speeds.iter().enumerate().filter(|(_, speed)| norms.contains(speed)) {
+        further.along.forces[i] = graph.zero();
+        further.along.inertia.set(i, i, graph.one());
     }
     further
 }

@@ -17,7 +17,6 @@ pub fn tell(equations: &mut Equations) {
     let n = equations.speeds.len();
     let released = mechanism.releases.iter().map(|release| release.rate);
     let speeds: Vec<Symbol> = equations.speeds.iter().copied().chain(released).collect();
-    let motion = equations.initial_motion();
     let graph = &mut equations.graph;
     let columns = columns(graph, &mechanism, &speeds);
     let mut moving = releases::stopped(graph, &mechanism);
@@ -30,7 +29,7 @@ pub fn tell(equations: &mut Equations) {
     let (v, rates) = (padded(graph, &equations.speeds), padded(graph, &equations.velocity_rate_symbols));
     let own = own_inertias(graph, &moving);
     equations.momenta = momenta(graph, &moving, &columns, &own, &v, &along);
-    let acting = acting(graph, &moving, &motion);
+    let acting = acting(graph, &moving, &along.motion);
     equations.inverse_dynamics = balance(graph, &moving, &columns, &rates, acting, &along);
     equations.momenta.truncate(n);
     equations.inverse_dynamics.truncate(n);

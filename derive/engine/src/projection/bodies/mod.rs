@@ -17,7 +17,7 @@
 //! | `partial` | partial velocities step by step, and what moves with them |
 //! | `spatial` | inertias about points, moved and turned |
 //! | `acting` | what acts at the nodes for v̇ = 0 |
-//! | `recursive` | composite inertias and forces inwards, where every step has speeds of its own: O(n²) in a chain |
+//! | `recursive` | composite inertias and forces inwards, where each speed moves one joint: O(n²) in a chain |
 //! | `direct` | body by body, where v are speeds of the model's own |
 //! | `articulated` | inertias of what gives way, and v̇ by them: O(n) |
 //! | `open` | the equations of an open mechanism, without M |
@@ -46,7 +46,7 @@ pub use inverse::tell as inverse_dynamics;
 pub use partial::couplings;
 
 use super::Simplifier;
-use super::constraints::motion;
+use super::constraints::motion_of_norm;
 use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Matrix};
 use crate::syntax::Elimination;
@@ -57,10 +57,10 @@ use further::further;
 /// joint and can be, there is v̇ instead of M.
 pub fn complete(system: &mut InitialSystem, simplifier: &mut dyn Simplifier) {
     let Some(mut mechanism) = system.mechanism.take() else { return };
-    let motion = motion(system);
+    let motion = motion_of_norm(system);
     let n = system.speeds.len();
     let speeds = releases::extended(system, &mut mechanism);
-    let own = system.rates_are_speeds();
+    let own = system.joint_speeds || system.rates_are_speeds();
     rotors::stop(&mut system.graph, &mut mechanism);
     if system.elimination == Elimination::Recursive && open::complete(system, &mechanism, &speeds, &motion) {
         return;
@@ -97,7 +97,7 @@ pub fn complete(system: &mut InitialSystem, simplifier: &mut dyn Simplifier) {
     system.kinetic = Some(sums.kinetic);
     system.potential = potential;
     releases::hold_along(graph, &mechanism.releases, &mut further, &mut None);
-    mechanism.along = Some(further.along);
+    mechanism.along = own.then_some(further.along);
     system.mechanism = Some(mechanism);
 }
 

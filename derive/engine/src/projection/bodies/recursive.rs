@@ -1,4 +1,4 @@
-//! Composite inertias and forces collected inwards, where v are the rates of the coordinates.
+//! Composite inertias and forces collected inwards, where v are the rates of the coordinates or angular velocities at joints.
 //!
 //! A column of M is the force that the composite body beyond a joint needs to be accelerated by that joint alone, felt at
 //! every joint on its way inwards; h* is what is left of all forces for v̇ = 0 (Featherstone, Rigid Body Dynamics Algorithms,

@@ -11,7 +11,7 @@ pub fn stop(graph: &mut Graph, mechanism: &mut Mechanism) {
         if mechanism.nodes.iter().skip(1).any(|node| node.parent == at) {
             continue;
         }
-        let Step::Turn { rotation, .. } = mechanism.nodes[at].step.clone() else { continue };
+        let Step::Turn { rotation, spin, .. } = mechanism.nodes[at].step.clone() else { continue };
         let same = |graph: &mut Graph, vector: &Triple| {
             let turned = graph.turned(&rotation, vector);
             turned.iter().zip(vector).all(|(a, b)| graph.identical(*a, *b))
@@ -25,8 +25,10 @@ pub fn stop(graph: &mut Graph, mechanism: &mut Mechanism) {
         });
         let loads = mechanism.loads.iter().filter(|load| load.node == at);
         let acting = loads.into_iter().all(|load| same(graph, &load.force) && same(graph, &load.torque));
+        // About an axis that is fixed in both, the angular velocity has the same components in the parent's axes.
         if heavy
             && acting
+            && same(graph, &spin)
             && let Step::Turn { rotation, stopped, .. } = &mut mechanism.nodes[at].step
         {
             (*rotation, *stopped) = (identity, true);

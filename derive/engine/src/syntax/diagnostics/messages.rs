@@ -104,7 +104,7 @@ messages! {
     redundant_alone() =
         "`redundant` stands behind the constraint of which it is said: `name: left == right, redundant`";
     equation_expected() =
-        "a constraint is an equation: expected `left == right`";
+        "a constraint is an equation or a joint: expected `left == right`, or for example `spherical(P, Q)`";
     single_equals() =
         "a constraint is written with `==`";
     second_equation() =
@@ -281,6 +281,8 @@ messages! {
     number_of_speeds(found, expected) =
         "there must be as many speeds as coordinates: found {found}, expected {expected}; \
          fewer of them become independent by constraints";
+    number_of_speeds_beside_norms(found, expected) =
+        "there must be three speeds for each quaternion and one for every other coordinate: found {found}, expected {expected}";
     speeds_without_kinematics() =
         "named speeds need `kinematics` that tell what they are";
     kinematics_without_speeds() =

@@ -85,7 +85,7 @@ fn forms_of_statements() {
             ],
         ),
         (r#"holonomy(crate = a, crate = b)"#, &["1:23 `crate`: the option `crate` is given twice"]),
-        (r#"holonomy(crate)"#, &["1:12 `crate`: expected `crate = path` or `simplify = off`"]),
+        (r#"holonomy(crate)"#, &["1:12 `crate`: expected `crate = path`, `simplify = off` or `elimination = recursive`"]),
         (
             r#"kinematics(v1 == dot(x), v2, dot(x, y) = 1, dot x = 2, 3 = 3)"#,
             &[
@@ -117,7 +117,12 @@ fn forms_of_statements() {
             r#"constraint(x == 0)"#,
             &["1:14 `x == 0`: expected `name: left == right`; the name is that of the constraint's reaction"],
         ),
-        (r#"constraint(c: x)"#, &["1:14 `c: x`: a constraint is an equation: expected `left == right`"]),
+        (
+            r#"constraint(c: x)"#,
+            &[
+                "1:14 `c: x`: a constraint is an equation or a joint: expected `left == right`, or for example `spherical(P, Q)`",
+            ],
+        ),
         (r#"constraint(c: x = 0)"#, &["1:19 `=`: a constraint is written with `==`"]),
         (r#"constraint(c: x == 0 == 1)"#, &["1:24 `==`: a constraint is one equation, this is a second `==`"]),
         (

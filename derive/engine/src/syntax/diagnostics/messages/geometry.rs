@@ -37,7 +37,37 @@ messages! {
 // Vectors.
 messages! {
     frame_form() =
-        "expected `rotate(base, axis, angle)`, such as `A = rotate(N, z, theta)`";
+        "expected `rotate(base, axis, angle)`, such as `A = rotate(N, z, theta)`, or `quaternion(base, e0, e1, e2, e3)`";
+    quaternion_form(function) =
+        "expected `{function}(base, e0, e1, e2, e3)` with four coordinates, the scalar part first";
+    joint_form(form) =
+        "expected `{form}`";
+    joint_axis() =
+        "expected an axis of a frame, such as `A.z`";
+    joint_expressed(joint) =
+        "the rows of `{joint}` are components along the axes of its own frame; leave out `expressed`";
+    joint_out_of_place(joint) =
+        "`{joint}` stands alone, as the value of a frame, of a point or of a constraint: it is no part of an expression";
+    quaternion_inside() =
+        "a frame by a quaternion needs a name of its own, which its speeds take over: declare it, and turn the next one against it";
+    quaternion_component() =
+        "expected the name of a coordinate: the four numbers of a quaternion are coordinates of `coordinates` themselves";
+    quaternion_component_twice(name) =
+        "`{name}` stands twice in this quaternion; its four numbers are four coordinates";
+    quaternion_component_taken(name, frame) =
+        "`{name}` is a number of the quaternion of `{frame}` already; every quaternion has coordinates of its own";
+    quaternions_beside(statement) =
+        "`{statement}` cannot stand beside frames by quaternions, whose speeds are angular velocities; bodies, forces on them and \
+         `generalized_force` can";
+    quaternion_kinematics(name) =
+        "`dot({name})` cannot be given beside frames by quaternions: let the kinematics give the speeds, such as \
+         `u1 = dot(angular_velocity(B), B.x)`";
+    quaternion_rate_independent(name, frame, angular) =
+        "the rate of `{name}` is no speed: those of the quaternion of `{frame}` are {angular}";
+    constraint_of_norm(name) =
+        "the constraint `{name}` holds already: the numbers of a quaternion have the norm 1 without being told";
+    norm_rate_independent(name) =
+        "`{name}` is the rate of a quaternion's norm, which is zero";
     frame_expected(name, what) =
         "`{name}` is {what}; expected a frame";
     frame_unknown(name, did_you_mean) =
