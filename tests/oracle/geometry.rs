@@ -91,7 +91,16 @@ impl Geometry {
             }),
             Expr::Call(call) => matches!(
                 plain(&call.func).as_deref(),
-                Some("cross" | "unit" | "velocity" | "angular_velocity" | "acceleration" | "angular_acceleration")
+                Some(
+                    "cross"
+                        | "unit"
+                        | "velocity"
+                        | "angular_velocity"
+                        | "acceleration"
+                        | "angular_acceleration"
+                        | "momentum"
+                        | "angular_momentum"
+                )
             ),
             _ => false,
         }

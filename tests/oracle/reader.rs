@@ -168,7 +168,7 @@ impl<'a> Visit<'a> for Mentions<'_> {
             _ => None,
         };
         match function.as_ref().map(|(name, count)| (name.as_str(), *count)) {
-            Some(("velocity" | "angular_velocity", _)) => self.velocities = true,
+            Some(("velocity" | "angular_velocity" | "momentum" | "angular_momentum", _)) => self.velocities = true,
             Some(("acceleration" | "angular_acceleration", _)) => self.accelerations = true,
             // of a definition or an expression
             Some(("dot", 1)) if rate.is_none() => self.velocities = true,

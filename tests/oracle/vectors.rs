@@ -1,6 +1,8 @@
 //! Vectors and frames, everywhere by their components in the inertial frame.
 
 use super::evaluate::Scope;
+use super::geometry::Record;
+use super::inertia::{central, in_the_world};
 use super::number::Number;
 use super::quaternions::turned;
 use super::statements::plain;
@@ -196,10 +198,38 @@ impl<N: Number> Scope<'_, N> {
             ("velocity", 1) => self.along(0).rate(arguments[0]),
             ("velocity", 2) => Value::Vector(self.material_velocity(arguments[0], arguments[1])),
             ("angular_velocity", 1) => Value::Vector(self.along(0).turning(arguments[0])),
+            ("momentum", 1) => Value::Vector(self.momentum(arguments[0])),
+            ("angular_momentum", 2) => Value::Vector(self.angular_momentum(arguments[0], arguments[1])),
             ("acceleration", 1) => self.along(1).rate(arguments[0]),
             ("angular_acceleration", 1) => Value::Vector(self.along(1).turning(arguments[0])),
             _ => return None,
         })
+    }
+
+    fn mass_of(&self, body: &Expr) -> &Record {
+        let name = plain(body).expect("the name of a body");
+        let mut heavy = self.model.geometry.records.iter().filter(|record| record.has_mass());
+        heavy.find(|record| record.name == name).expect("a body of that name")
+    }
+
+    /// m v of the mass centre.
+    fn momentum(&self, body: &Expr) -> Vector<N> {
+        let body = self.mass_of(body);
+        scaled(self.value(body.entry("mass")), &self.along(0).rate(body.center()).vector())
+    }
+
+    /// That about a point, and I ω.
+    fn angular_momentum(&self, name: &Expr, point: &Expr) -> Vector<N> {
+        let body = self.mass_of(name);
+        let arm = difference(&self.vector(body.center()), &self.vector(point));
+        let orbital = outer(&arm, &self.momentum(name));
+        if !body.entries.contains_key("inertia") {
+            return orbital;
+        }
+        let axes = self.axes(body.entry("frame"));
+        let inertia = in_the_world(&central(body, self, self.value(body.entry("mass")), &axes), &axes);
+        let omega = self.along(0).turning(body.entry("frame"));
+        sum(&orbital, &inertia.map(|row| inner(&row, &omega)))
     }
 
     /// The velocity of the material point of a body at a point.

@@ -159,6 +159,7 @@ impl Tree {
     /// Heights, speeds, accelerations and what turns.
     fn outputs(&mut self) {
         let (frame, point) = self.some_link();
+        let body = self.bodies.last().map_or_else(String::new, |(name, _)| name.clone());
         self.class("outputs");
         self.text += &format!(
             "#[define(upward = dot(N.z, {frame}.x), arm = {point} - 0.40*{frame}.y - O)]
@@ -167,6 +168,8 @@ impl Tree {
     speed = sqrt(1 + dot(velocity({point}), velocity({point}))) + dot(arm, {frame}.z),
     pull = dot(acceleration({point}), {frame}.x) + dot(angular_acceleration({frame}), N.y),
     swirl = dot(cross(arm, velocity({point})), angular_velocity({frame})),
+    push = dot(momentum({body}), {frame}.y),
+    spin = dot(angular_momentum({body}, {point}), N.x + {frame}.z),
 )]
 "
         );

@@ -8,7 +8,7 @@ use crate::model::context::Context;
 use crate::model::mechanism::{Line, LineKind, Load, Mass, Mechanism, Release};
 use crate::model::names::{Meaning, Mentions};
 use crate::model::vocabulary::Vocabulary;
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Rotation};
 use crate::syntax::{Diagnostics, Element, ElementKind, Expression, Term, did_you_mean, messages, nearest};
 
 /// The mechanism, rates as written; `None` without bodies, and where something was reported.
@@ -72,6 +72,19 @@ fn mass(
     vocabulary: &mut Vocabulary<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Mass> {
+    let (mass, inertia) = centred(element, rigid, vocabulary, diagnostics)?;
+    let rigid = rigid?;
+    let node = tree.node(rigid.center, rigid.frame, vocabulary);
+    Some(Mass { node, mass, inertia })
+}
+
+/// A body's mass, and its inertia about its centre of mass; none of a particle.
+pub(super) fn centred(
+    element: &Element,
+    rigid: Option<Rigid>,
+    vocabulary: &mut Vocabulary<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<(Expr, Option<Rotation>)> {
     let mass = element.get("mass").map(|mass| vocabulary.lower(mass, Context::BODY, diagnostics));
     let inertia = match element.kind {
         ElementKind::Particle => Some(None),
@@ -87,7 +100,7 @@ fn mass(
         }
         _ => None,
     };
-    let (mass, inertia, rigid) = (mass??.expr, inertia?, rigid?);
+    let (mass, inertia) = (mass??.expr, inertia?);
     let graph = &mut vocabulary.graph;
     let inertia = match (inertia, about) {
         (Some(about_point), Some(arm)) => {
@@ -97,8 +110,7 @@ fn mass(
         }
         (inertia, _) => inertia,
     };
-    let node = tree.node(rigid.center, rigid.frame, vocabulary);
-    Some(Mass { node, mass, inertia })
+    Some((mass, inertia))
 }
 
 /// A force at a point, and the opposite one where it has a counterpart.

@@ -1,6 +1,6 @@
 //! The functions of vectors.
 
-use super::{Rigid, Vector};
+use super::{Rigid, Vector, momentum};
 use crate::model::context::Context;
 use crate::model::functions::wrong_number_of_arguments;
 use crate::model::names::{Meaning, Mentions};
@@ -10,7 +10,7 @@ use crate::syntax::{Diagnostics, ElementKind, Term, did_you_mean, messages, near
 use proc_macro2::Span;
 
 /// The functions of vectors and of points, with their numbers of arguments.
-pub(in crate::model) const VECTOR_FUNCTIONS: [(&str, usize); 7] = [
+pub(in crate::model) const VECTOR_FUNCTIONS: [(&str, usize); 9] = [
     ("cross", 2),
     ("norm", 1),
     ("unit", 1),
@@ -18,13 +18,15 @@ pub(in crate::model) const VECTOR_FUNCTIONS: [(&str, usize); 7] = [
     ("acceleration", 1),
     ("angular_velocity", 1),
     ("angular_acceleration", 1),
+    ("momentum", 1),
+    ("angular_momentum", 2),
 ];
 
 /// Whether an argument of a function is the name of a body or a frame, and no value.
 pub(in crate::model) fn names_a_body(function: &str, argument: usize) -> bool {
     match function {
         "velocity" => argument == 1,
-        "angular_velocity" | "angular_acceleration" => argument == 0,
+        "angular_velocity" | "angular_acceleration" | "momentum" | "angular_momentum" => argument == 0,
         _ => false,
     }
 }
@@ -53,6 +55,9 @@ impl VectorCall<'_> {
         if !fits {
             diagnostics.report(self.span, wrong_number_of_arguments(self.function, expected, values.len()));
             return None;
+        }
+        if self.function.ends_with("momentum") {
+            return self.momentum(values, mentioned, context, vocabulary, diagnostics);
         }
         if names_a_body(self.function, 0) {
             let rigid = self.body(0, vocabulary, diagnostics)?;
@@ -148,6 +153,40 @@ impl VectorCall<'_> {
             }
         };
         Some((Value::Vector(value), mentions))
+    }
+
+    /// Of a body by its name, about the second argument where there is one.
+    fn momentum(
+        &self,
+        mut values: Vec<Option<Value>>,
+        mentioned: Mentions,
+        context: Context,
+        vocabulary: &mut Vocabulary<'_>,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<(Value, Mentions)> {
+        let body = match &self.terms[self.arguments[0]] {
+            (Term::Name(name), span) => momentum::named(name, *span, vocabulary, diagnostics)?,
+            (Term::Hole, _) => return None,
+            (_, span) => {
+                diagnostics.report(*span, messages::momentum_of_no_body("this", "an expression"));
+                return None;
+            }
+        };
+        let about = match values.len() {
+            2 => match values.swap_remove(1)? {
+                Value::Vector(vector) => Some(vector),
+                _ => {
+                    diagnostics.report(self.span, messages::vector_expected(self.function));
+                    return None;
+                }
+            },
+            _ => None,
+        };
+        let (value, of_body) = momentum::momentum(body, about.as_ref(), vocabulary)?;
+        let moves = mentioned.and(of_body).intersects(Mentions::COORDINATES);
+        let mentions = if moves { of_body.and(Mentions::RATES) } else { of_body };
+        self.allowed(mentions, context, diagnostics)?;
+        Some((Value::Vector(value), mentions.and(Mentions::PARAMETERS)))
     }
 
     fn allowed(&self, mentions: Mentions, context: Context, diagnostics: &mut Diagnostics) -> Option<()> {

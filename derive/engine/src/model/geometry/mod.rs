@@ -9,6 +9,7 @@
 //! | `places` | points, each a step away from another |
 //! | `releases` | what is let go, to tell its reaction |
 //! | `calls` | the functions of vectors |
+//! | `momentum` | momenta of bodies |
 //! | `tree` | nodes that are a point and axes |
 //! | `shapes` | inertias of bodies |
 //! | `possible` | inertias that no body has |
@@ -21,6 +22,7 @@ mod calls;
 pub(super) mod equations;
 mod frames;
 pub(super) mod joints;
+mod momentum;
 pub(super) mod order;
 mod places;
 mod possible;

@@ -85,7 +85,10 @@ fn forms_of_statements() {
             ],
         ),
         (r#"holonomy(crate = a, crate = b)"#, &["1:23 `crate`: the option `crate` is given twice"]),
-        (r#"holonomy(crate)"#, &["1:12 `crate`: expected `crate = path`, `simplify = off` or `elimination = recursive`"]),
+        (
+            r#"holonomy(crate)"#,
+            &["1:12 `crate`: expected `crate = path`, `simplify = off` or `elimination = recursive`"],
+        ),
         (
             r#"kinematics(v1 == dot(x), v2, dot(x, y) = 1, dot x = 2, 3 = 3)"#,
             &[

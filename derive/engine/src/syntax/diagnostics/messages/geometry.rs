@@ -88,6 +88,8 @@ messages! {
         "`{name}` is {what}; a generalised force acts on a coordinate or a speed";
     body_expected(name, what) =
         "`{name}` is {what}; expected a body or a frame";
+    momentum_of_no_body(name, what) =
+        "`{name}` is {what}; expected the name of a body or a particle, which has a mass";
     body_unknown(name, did_you_mean) =
         "there is no body or frame `{name}`{did_you_mean}";
     frame_without_body(name, bodies) =
