@@ -70,6 +70,9 @@ pub mod example_chaplygin_sleigh;
 #[path = "../../examples/curvature/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_curvature;
+#[path = "../../examples/heavy_top/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_heavy_top;
 #[path = "../../examples/puma/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_puma;
@@ -201,6 +204,9 @@ macro_rules! every_model {
                 SteeredParticle(m, g, kappa);
             "examples/chain/models.rs" example_chain:
                 Chain(m, l, g);
+            "examples/heavy_top/models.rs" example_heavy_top:
+                AngledTop(m, g, l, axial, across)
+                FreeTop(m, g, l, axial, across);
             "examples/puma/models.rs" example_puma:
                 PumaArm(
                     g, a2, a3, d3, d4, m2, m3, m4, m5, m6, rx2, ry2, rz2, rx3, ry3, rz3, ry4, rz6, iy1, ix2, iy2, iz2,
