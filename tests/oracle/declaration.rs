@@ -31,6 +31,8 @@ pub struct Constraint {
     pub redundant: bool,
     /// The frame in whose axes a vector equation has its rows; `N` unless it says so.
     pub expressed: Expr,
+    /// Whether it stands in a joint: rows that vanish are left out.
+    pub in_short: bool,
 }
 
 /// An independent speed.

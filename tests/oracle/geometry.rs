@@ -17,6 +17,8 @@ pub struct Geometry {
     pub gravity: Vec<Expr>,
     /// Coordinates and speeds with the forces along them.
     pub generalized: Vec<(String, Expr)>,
+    /// Joints that are let go to tell what holds them.
+    pub releases: Vec<Record>,
     /// All else, in the order of its declaration.
     pub records: Vec<Record>,
 }

@@ -23,6 +23,7 @@ mod families;
 mod geometry;
 mod given;
 mod inertia;
+mod joints;
 mod kkt;
 mod lagrange;
 mod linear;
@@ -33,6 +34,7 @@ mod outputs;
 mod principles;
 mod quaternions;
 mod reader;
+mod releases;
 mod report;
 mod rows;
 /// The generator of the tests.

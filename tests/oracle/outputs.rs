@@ -39,7 +39,7 @@ impl Compared<'_> {
         };
         // what the scope borrows is there before it
         let named: Vec<String> = claim.speed_names.clone();
-        let reactions = self.named_reactions();
+        let reactions = [self.named_reactions(), self.released()].concat();
         let (t, x, v) = (Entry::constant(claim.t), lift(&claim.coordinates), speeds(&claim.velocities));
         let rates = known(motion.acceleration.as_slice(), self.acceleration_error().as_slice());
         let coordinates = || system.model.state_coordinates().iter().map(String::as_str);

@@ -86,6 +86,7 @@ pub(super) fn complete(model: &mut Declaration) {
             level: Level::Position,
             redundant: false,
             expressed: parse_quote!(N),
+            in_short: false,
         });
     }
 }

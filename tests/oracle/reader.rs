@@ -109,7 +109,7 @@ fn by_components(model: &Declaration) -> Vec<(Constraint, bool)> {
     let vector = |e: &Expr| model.geometry.is_vector(e, &model.definitions);
     let rows = |row: &Constraint| match vector(&row.left) || vector(&row.right) {
         true => ["x", "y", "z"].map(|axis| (component(row, axis), true)).to_vec(),
-        false => vec![(row.clone(), false)],
+        false => vec![(row.clone(), row.in_short)],
     };
     model.constraints.iter().flat_map(rows).collect()
 }

@@ -3,6 +3,7 @@
 use super::declaration::{Chosen, Configuration, Constraint, Declaration, Level};
 use super::families::{Family, Indices, Named, Row, integer, written};
 use super::geometry::NamedRecord;
+use super::joints;
 use quote::ToTokens;
 use std::collections::BTreeMap;
 use syn::parse::{Parse, ParseStream, Parser};
@@ -36,8 +37,20 @@ pub fn read(model: &mut Declaration, name: &str, attribute: &Attribute) -> Resul
                 model.complement.extend(family.members(sizes, &mut { row }));
             }
         }
-        "frame" => model.geometry.frames.extend(assignments(list()?)?),
-        "point" => model.geometry.points.extend(assignments(list()?)?),
+        "frame" => {
+            let frames = assignments(list()?)?;
+            model.geometry.frames.extend(frames.into_iter().map(|(name, value)| (name, joints::frame(value))));
+        }
+        "point" => {
+            let points = assignments(list()?)?;
+            model.geometry.points.extend(points.into_iter().map(|(name, value)| (name, joints::point(value))));
+        }
+        "release" => {
+            for family in entries::<Family<NamedRecord>>(attribute)? {
+                let record = |said: &NamedRecord, indices: &Indices| said.record(name, indices);
+                model.geometry.releases.extend(family.members(sizes, &mut { record }));
+            }
+        }
         "gravity" => model.geometry.gravity.extend(list()?),
         "generalized_force" => model.geometry.generalized.extend(assignments(list()?)?),
         "body" | "particle" | "force" | "torque" | "spring" | "damper" | "armature" => {
@@ -239,6 +252,7 @@ fn inertia(input: ParseStream<'_>, sizes: &Indices) -> Result<Vec<Vec<Option<Exp
 /// `name: left == right`, or a word about the equation before.
 enum Said {
     Equation(Box<(Named, Expr, Expr)>),
+    Joint(Box<(Named, ExprCall)>),
     Word(Ident),
     Expressed(Box<Expr>),
 }
@@ -258,6 +272,7 @@ impl Parse for Said {
         input.parse::<Token![:]>()?;
         match input.parse()? {
             Expr::Binary(e) if matches!(e.op, BinOp::Eq(_)) => Ok(Self::Equation(Box::new((name, *e.left, *e.right)))),
+            Expr::Call(call) if joints::equations(&call).is_some() => Ok(Self::Joint(Box::new((name, call)))),
             other => Err(Error::new_spanned(other, "not an equation")),
         }
     }
@@ -270,26 +285,39 @@ fn constraints(families: &[Family<Said>], sizes: &Indices) -> Vec<Constraint> {
     let mut first = 0;
     for family in families {
         let member = |said: &Said, indices: &Indices| match said {
-            Said::Equation(row) => Ok(Constraint {
+            Said::Equation(row) => Ok(vec![Constraint {
                 name: row.0.entry(indices),
                 left: written(&row.1, indices),
                 right: written(&row.2, indices),
                 level: Level::Position,
                 redundant: false,
                 expressed: expression("N"),
-            }),
+                in_short: false,
+            }]),
+            Said::Joint(joint) => {
+                let of = |(suffix, left, right): (String, Expr, Expr)| Constraint {
+                    name: joint.0.entry(indices) + &suffix,
+                    left: written(&left, indices),
+                    right: written(&right, indices),
+                    level: Level::Position,
+                    redundant: false,
+                    expressed: expression("N"),
+                    in_short: true,
+                };
+                Ok(joints::equations(&joint.1).expect("it was one when it was read").into_iter().map(of).collect())
+            }
             Said::Word(word) => {
                 assert_eq!(word, "redundant");
                 Err(None)
             }
             Said::Expressed(frame) => Err(Some(Box::new(written(frame, indices)))),
         };
-        let members: std::result::Result<Vec<Constraint>, Option<Box<Expr>>> =
+        let members: std::result::Result<Vec<Vec<Constraint>>, Option<Box<Expr>>> =
             family.members(sizes, &mut { member }).into_iter().collect();
         match members {
             Ok(members) => {
                 first = rows.len();
-                rows.extend(members);
+                rows.extend(members.into_iter().flatten());
             }
             Err(None) => rows[first..].iter_mut().for_each(|row| row.redundant = true),
             Err(Some(frame)) => rows[first..].iter_mut().for_each(|row| row.expressed = (*frame).clone()),

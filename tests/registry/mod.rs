@@ -30,10 +30,14 @@ pub mod spherical;
 // Mechanisms from geometry alone.
 #[path = "../models/geometry/arms.rs"]
 pub mod arms;
+#[path = "../models/geometry/balls.rs"]
+pub mod balls;
 #[path = "../models/geometry/bobs.rs"]
 pub mod bobs;
 #[path = "../models/geometry/disc.rs"]
 pub mod disc;
+#[path = "../models/geometry/joints.rs"]
+pub mod joints;
 #[path = "../models/geometry/rods.rs"]
 pub mod rods;
 #[path = "../models/geometry/sleigh.rs"]
@@ -121,6 +125,14 @@ macro_rules! every_model {
                 DoublePendulumByEnergy(m1, m2, l1, l2, g);
             "tests/models/geometry/arms.rs" arms:
                 SevenJoints(g);
+            "tests/models/geometry/balls.rs" balls:
+                PivotedBall(m, g, j1, j2, j3, c1, c2, c3)
+                BallTop(m, g, j1, j2, j3, c1, c2, c3)
+                Rock(m, j1, j2, j3, k)
+                KanesRock(m, j1, j2, j3, k)
+                HangingRods(m, l, r, g)
+                RollingBall(m, r, g, slope)
+                Precession(m, g, j, l, rate);
             "tests/models/geometry/bobs.rs" bobs:
                 ThreeBobs(m, l, g)
                 TenBobs(m, l, g)
@@ -129,6 +141,13 @@ macro_rules! every_model {
             "tests/models/geometry/disc.rs" disc:
                 Disc(m, r, g, d, a)
                 Disk(m, r, j, g);
+            "tests/models/geometry/joints.rs" joints:
+                Hinged(m, l, w, g, f)
+                OnARail(m, l, w, g, f, slope)
+                Seamed(m, l, w, g)
+                Cardan(r, bend)
+                Turntable(m, r, omega)
+                SpatialFourBar(a, b, c, d, w, m, g);
             "tests/models/geometry/rods.rs" rods:
                 TwoRods(m, l, g)
                 FiveRods(m, l, g)
