@@ -42,7 +42,8 @@ const QUATERNION_CLASSES: [(&str, usize); 12] = [
 ];
 
 /// How often each class must occur among the equations as they come.
-const CLASSES: [(&str, usize); 52] = [
+const CLASSES: [(&str, usize); 53] = [
+    ("release", 45),
     ("further forces", 25),
     ("row of accelerations", 5),
     ("material point by its frame", 8),

@@ -27,9 +27,10 @@ impl Compared<'_> {
             &[self.claim.coordinates.as_slice(), &zeros].concat(),
             &[self.claim.velocities.as_slice(), &zeros].concat(),
         );
-        let first = self.claim.velocities.len();
+        // other rows pull along ε as well
+        let (first, row) = (self.claim.velocities.len(), motion.multipliers.len() - releases.len());
         let of = |(i, release): (usize, &Record)| {
-            let (value, error) = (motion.reaction[first + i], motion.reaction_error[first + i]);
+            let (value, error) = (motion.multipliers[row + i], motion.reaction_error[first + i]);
             (release.name.clone(), Scaled { value, size: value.abs().max(error / UNIT) })
         };
         releases.iter().enumerate().map(of).collect()

@@ -161,6 +161,13 @@ impl Tree {
         let (frame, point) = self.some_link();
         let body = self.bodies.last().map_or_else(String::new, |(name, _)| name.clone());
         self.class("outputs");
+        // What holds a point along a direction, as if it were a joint of its own.
+        let held = point != "O" && self.speeds.is_empty();
+        if held {
+            self.class("release");
+            self.text += &format!("#[release(hook = {{ point: {point}, along: 3/5*N.x - 4/5*N.y }})]\n");
+        }
+        let hold = if held { "    hold = reaction(hook),\n" } else { "" };
         self.text += &format!(
             "#[define(upward = dot(N.z, {frame}.x), arm = {point} - 0.40*{frame}.y - O)]
 #[output(
@@ -170,7 +177,7 @@ impl Tree {
     swirl = dot(cross(arm, velocity({point})), angular_velocity({frame})),
     push = dot(momentum({body}), {frame}.y),
     spin = dot(angular_momentum({body}, {point}), N.x + {frame}.z),
-)]
+{hold})]
 "
         );
     }

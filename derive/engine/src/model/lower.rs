@@ -37,6 +37,12 @@ impl Vocabulary<'_> {
         if zeros.is_empty() { e } else { graph.substitute(&[e], &zeros)[0] }
     }
 
+    /// Whether an expression vanishes while all releases are held.
+    pub fn vanishes(&mut self, e: Expr) -> bool {
+        let held = self.held(e);
+        self.graph.vanishes(held)
+    }
+
     /// A scalar with all releases held.
     pub fn lower_held(
         &mut self,

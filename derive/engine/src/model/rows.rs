@@ -51,6 +51,14 @@ pub(super) fn lower<'a>(vocabulary: &mut Vocabulary<'a>, diagnostics: &mut Diagn
         }
         names.push(name);
     }
+    // Their reactions are asked for by name alike.
+    for release in vocabulary.declarations.geometry.releases() {
+        let name = release.name.to_string();
+        if names.contains(&name) {
+            diagnostics.report(&release.name, messages::constraint_twice(&name));
+        }
+        names.push(name);
+    }
     written
 }
 

@@ -78,8 +78,7 @@ pub(super) fn components(
     };
     let (graph, geometry) = (&mut vocabulary.graph, &vocabulary.geometry);
     let components = vector.expressed(frame, graph, geometry).into_iter().zip(AXES);
-    let rows = components
-        .filter(|(e, _)| !graph.vanishes(*e))
-        .map(|(e, axis)| (format!("{name}_{axis}"), e, mentions.and(turning)));
-    Some(rows.collect())
+    let rows: Vec<(String, Expr, Mentions)> =
+        components.map(|(e, axis)| (format!("{name}_{axis}"), e, mentions.and(turning))).collect();
+    Some(rows.into_iter().filter(|(_, e, _)| !vocabulary.vanishes(*e)).collect())
 }

@@ -98,8 +98,7 @@ pub(in crate::model) fn rows(
             joined(rows, axes)
         }
     }?;
-    let graph = &vocabulary.graph;
-    let rows: Vec<Row> = rows.into_iter().filter(|(_, e, _)| !graph.vanishes(*e)).collect();
+    let rows: Vec<Row> = rows.into_iter().filter(|(_, e, _)| !vocabulary.vanishes(*e)).collect();
     if rows.is_empty() {
         diagnostics.report(&constraint.name, messages::vector_equation_empty(&constraint.name));
         return None;
