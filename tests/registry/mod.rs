@@ -80,6 +80,9 @@ pub mod example_heavy_top;
 #[path = "../../examples/puma/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_puma;
+#[path = "../../examples/rattleback/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_rattleback;
 #[path = "../../examples/spherical_pendulum/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_spherical_pendulum;
@@ -231,6 +234,8 @@ macro_rules! every_model {
                     g, a2, a3, d3, d4, m2, m3, m4, m5, m6, rx2, ry2, rz2, rx3, ry3, rz3, ry4, rz6, iy1, ix2, iy2, iz2,
                     ix3, iy3, iz3, ix4, iy4, iz4, ix5, iy5, iz5, ix6, iy6, iz6, motor_inertia
                 );
+            "examples/rattleback/models.rs" example_rattleback:
+                Rattleback(m, a, b, c, h, ixx, iyy, izz, ixy, g);
             "examples/spherical_pendulum/models.rs" example_spherical_pendulum:
                 OneChart(m, l, g)
                 ThreeCharts(m, l, g)
