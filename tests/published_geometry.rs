@@ -4,6 +4,9 @@
 //! motions to 1e-9, as the same problems by equations.
 
 mod claims;
+#[path = "../examples/rolling_disk/geometry.rs"]
+#[allow(dead_code, missing_docs, reason = "as the example has it")]
+mod disk;
 #[path = "models/geometry/mod.rs"]
 mod geometry;
 #[path = "../examples/puma/models.rs"]
@@ -14,9 +17,10 @@ mod rolling_disk;
 mod support;
 
 use claims::evaluated::simplified;
+use disk::Disk;
 use geometry::arms::SevenJoints;
 use geometry::bobs::{TenBobs, ThreeBobs, ThreeTiedBobs, TwentyBobs};
-use geometry::disc::{Disc, Disk};
+use geometry::disc::Disc;
 use geometry::rods::{FiveRods, TenRods, TwentyRods, TwoRods};
 use geometry::sleigh::BladedSleigh;
 use geometry::top::PivotedTop;
@@ -66,8 +70,9 @@ fn outputs<M: ConstrainedSystem>(running: &Running<M>, y: &[f64]) -> Vec<f64> {
 #[test]
 fn nothing_but_geometry_is_declared() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/models/geometry");
-    let arm = folder.join("../../../examples/puma/models.rs");
-    for file in declared::rust_files(&folder).into_iter().chain([arm]) {
+    let examples =
+        ["puma/models.rs", "rolling_disk/geometry.rs"].map(|file| folder.join("../../../examples").join(file));
+    for file in declared::rust_files(&folder).into_iter().chain(examples) {
         let source = std::fs::read_to_string(&file).expect("the file is there");
         for statement in ["inertia(", "forces(", "kinetic_energy("] {
             assert!(!source.contains(statement), "{statement} in {file:?}");
@@ -345,7 +350,7 @@ fn disk_of_the_paper() {
         let programs = holonomy_engine::program::programs(&equations).expect("every symbol is known");
         ["derivative", "multipliers"].map(|name| programs.function(name).expect("every model has it").count.weight())
     };
-    let bodies = weight(include_str!("models/geometry/disc.rs"), "Disk");
+    let bodies = weight(include_str!("../examples/rolling_disk/geometry.rs"), "Disk");
     let equations = weight(include_str!("models/rolling_disk.rs"), "RollingDisk");
     println!("weights of derivative and multipliers: {bodies:?} by geometry, {equations:?} by equations");
     assert!(bodies[0] <= equations[0] && bodies[1] <= equations[1], "{bodies:?} {equations:?}");

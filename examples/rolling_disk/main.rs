@@ -8,6 +8,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod expansion;
+mod geometry;
 mod models;
 mod motion;
 mod picture;
@@ -38,6 +39,20 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     );
     derived("five generalised coordinates, (6.14)-(6.20)", models::FloorDisk::MODEL, &["M_d"]);
     derived("two stages down to three rates, (6.21)-(6.29)", models::StagedDisk::MODEL, &["M_d", "h_u*"]);
+
+    derived("and from geometry alone", geometry::Disk::MODEL, &["M_d", "h_u*"]);
+    let geometric = geometry::Disk { m: M, r: R, j: J, g: G }.prepare()?;
+    let state = posture.quasi();
+    let bodies = geometry::DiskState::from(<[f64; 9]>::from(state));
+    let (a, b) = (disks.quasi.accelerations(0.0, &state, &[]), geometric.accelerations(0.0, &bodies, &[]));
+    let (force, contact) = (disks.quasi.multipliers(0.0, &state, &[]), geometric.multipliers(0.0, &bodies, &[]));
+    let apart = |a: f64, b: f64| (a - b).abs() / (M * G);
+    checks.below(
+        "accelerations and reactions, by equations and by geometry (relative)",
+        a.iter().zip(b).map(|(a, b)| apart(*a, b)).fold(apart(force.contact, contact.no_slip_z), f64::max),
+        1e-13,
+    );
+    println!();
 
     println!("The printed formulas at φ = 0.6, θ = 0.35, rates 1.1, -0.4, -5.2 (derived | printed)\n");
     let lines = printed::lines(&disks, &posture, [M, R, J, G]);

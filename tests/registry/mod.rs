@@ -52,6 +52,10 @@ pub mod whipple;
 #[allow(dead_code, missing_docs, reason = "as the example has them")]
 pub mod example_rolling_disk;
 
+#[path = "../../examples/rolling_disk/geometry.rs"]
+#[allow(dead_code, missing_docs, reason = "as the example has it")]
+pub mod example_geometric_disk;
+
 // The models of the other examples.
 #[path = "../../examples/appell_hamel/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
@@ -142,8 +146,7 @@ macro_rules! every_model {
                 TwentyBobs(m, l, g)
                 ThreeTiedBobs(m, l, g);
             "tests/models/geometry/disc.rs" disc:
-                Disc(m, r, g, d, a)
-                Disk(m, r, j, g);
+                Disc(m, r, g, d, a);
             "tests/models/geometry/joints.rs" joints:
                 Hinged(m, l, w, g, f)
                 OnARail(m, l, w, g, f, slope)
@@ -242,6 +245,8 @@ macro_rules! every_model {
                 InAngles(m, l, g);
             "examples/turntable/models.rs" example_turntable:
                 Turntable(m, r, w, a, b);
+            "examples/rolling_disk/geometry.rs" example_geometric_disk:
+                Disk(m, r, j, g);
             "examples/rolling_disk/models.rs" example_rolling_disk:
                 RollingDisk(m, r, j, g)
                 FloorDisk(m, r, j, g)
