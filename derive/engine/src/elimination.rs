@@ -40,7 +40,7 @@ pub fn joint_by_joint(
     let asked = match wanted {
         Some((Elimination::Recursive, span)) => Some(span),
         Some((Elimination::Matrix, _)) => return Ok(None),
-        None if system.mechanism.is_none() || system.speeds.len() < FEWEST => return Ok(None),
+        None if system.mechanism.is_none() || !system.is_open() || system.speeds.len() < FEWEST => return Ok(None),
         None => None,
     };
     let mut tried = system.clone();

@@ -81,6 +81,16 @@ impl InitialSystem {
         self.norm_rates().into_iter().map(|rate| (rate, self.graph.zero())).collect()
     }
 
+    /// Whether nothing ties the speeds, which are the rates of the coordinates and stand in the state as they are.
+    pub fn is_open(&self) -> bool {
+        self.rows.is_empty()
+            && self.configuration.is_none()
+            && self.velocities.is_none()
+            && self.complement.is_none()
+            && self.independent.is_empty()
+            && self.rates_are_speeds()
+    }
+
     /// Whether v are the rates of x themselves.
     pub fn rates_are_speeds(&self) -> bool {
         let (a, n) = (&self.kinematics.a, self.speeds.len());

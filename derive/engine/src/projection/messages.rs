@@ -222,7 +222,7 @@ pub(crate) fn not_joint_by_joint() -> String {
 
 pub(crate) fn joint_by_joint(cycles: usize, whole: usize) -> String {
     format!(
-        "the motion is found joint by joint from the leaves: in estimate {cycles} cycles, by M_d as a whole {whole}"
+        "the motion is found joint by joint from the leaves: in estimate {cycles} cycles, by M_d as a whole at least {whole}"
     )
 }
 

@@ -19,7 +19,7 @@ pub fn complete(
     speeds: &[Symbol],
     motion: &[(Symbol, Expr)],
 ) -> bool {
-    if !is_open(system) {
+    if !system.is_open() {
         return false;
     }
     let n = system.speeds.len();
@@ -50,14 +50,4 @@ pub fn complete(
     (system.forces, system.kinetic, system.potential) = (forces, Some(kinetic), potential);
     (system.open, system.mechanism) = (Some(found), Some(moving));
     true
-}
-
-/// Whether nothing ties the speeds, which are the rates of the coordinates and stand in the state as they are.
-fn is_open(system: &InitialSystem) -> bool {
-    system.rates_are_speeds()
-        && system.rows.is_empty()
-        && system.configuration.is_none()
-        && system.velocities.is_none()
-        && system.complement.is_none()
-        && system.independent.is_empty()
 }
