@@ -38,6 +38,8 @@ pub mod bobs;
 pub mod disc;
 #[path = "../models/geometry/joints.rs"]
 pub mod joints;
+#[path = "../models/geometry/loops.rs"]
+pub mod loops;
 #[path = "../models/geometry/rods.rs"]
 pub mod rods;
 #[path = "../models/geometry/sleigh.rs"]
@@ -154,6 +156,14 @@ macro_rules! every_model {
                 Cardan(r, bend)
                 Turntable(m, r, omega)
                 SpatialFourBar(a, b, c, d, w, m, g);
+            "tests/models/geometry/loops.rs" loops:
+                FourBarOfRods(l1, l2, l3, d, m1, m2, m3, g, tau)
+                Squeezer(
+                    m1, m2, m3, m4, m5, m6, m7, i1, i2, i3, i4, i5, i6, i7, xa, ya, xb, yb, xc, yc,
+                    d, da, e, ea, zf, zt, fa, rr, ra, ss, sa, sb, sc, sd, ta, tb, u, ua, ub, c0, l0,
+                    mom
+                )
+                CrankAndSlider(l, m1, m2, m3, g);
             "tests/models/geometry/rods.rs" rods:
                 TwoRods(m, l, g)
                 FiveRods(m, l, g)

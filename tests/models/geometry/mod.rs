@@ -5,6 +5,7 @@ pub mod balls;
 pub mod bobs;
 pub mod disc;
 pub mod joints;
+pub mod loops;
 pub mod rods;
 pub mod sleigh;
 pub mod top;

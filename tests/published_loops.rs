@@ -1,0 +1,156 @@
+//! Closed loops of the literature from geometry alone, against numbers from outside, as the same mechanisms by equations.
+
+#[path = "models/geometry/loops.rs"]
+mod loops;
+mod support;
+
+use holonomy::prelude::*;
+use loops::{CrankAndSlider, FourBarOfRods, Squeezer};
+use serde_json::Value;
+use support::golden::{assert_close, assert_close_at, list, numbers, parse, picked, text};
+use support::running::Running;
+
+const AT_A_STATE: f64 = 1e-12;
+/// Where the data are evaluations of other programs.
+const EVALUATED: f64 = 1e-11;
+const IN_MOTION: f64 = 1e-9;
+
+fn case<'a>(golden: &'a Value, name: &str) -> &'a Value {
+    list(&golden["cases"]).iter().find(|case| text(&case["name"]) == name).expect("the case is there")
+}
+
+/// A struct of parameters from the object that names them.
+macro_rules! from_json {
+    ($values:expr, $model:ident { $($field:ident: $name:literal),* $(,)? }) => {
+        $model { $($field: $values[$name].as_f64().expect("a number")),* }
+    };
+}
+
+/// λ of the named rows.
+fn lambda<M: ConstrainedSystem>(running: &Running<M>, names: &[&str], y: &[f64]) -> Vec<f64> {
+    names.iter().map(|name| running.multiplier(name, 0.0, y)).collect()
+}
+
+#[test]
+fn four_bar() {
+    let golden = parse(include_str!("data/four_bar.json"));
+    let model = from_json!(
+        golden["params"],
+        FourBarOfRods { l1: "l1", l2: "l2", l3: "l3", d: "d", m1: "m1", m2: "m2", m3: "m3", g: "g", tau: "tau" }
+    );
+    let bar = Running::new(model);
+    for state in list(&golden["states"]) {
+        let y = picked(state, &["q", "u1"]);
+        assert_close("q'", &bar.velocities(0.0, &y), &numbers(&state["qd"]), AT_A_STATE);
+        assert_close("q''", &bar.velocity_rates(0.0, &y), &numbers(&state["qdd"]), EVALUATED);
+        assert_close("λ", &lambda(&bar, &["closure_x", "closure_y"], &y), &numbers(&state["lambda"]), EVALUATED);
+    }
+}
+
+fn squeezer(values: &Value) -> Squeezer {
+    from_json!(
+        values,
+        Squeezer {
+            m1: "m1",
+            m2: "m2",
+            m3: "m3",
+            m4: "m4",
+            m5: "m5",
+            m6: "m6",
+            m7: "m7",
+            i1: "I1",
+            i2: "I2",
+            i3: "I3",
+            i4: "I4",
+            i5: "I5",
+            i6: "I6",
+            i7: "I7",
+            xa: "xa",
+            ya: "ya",
+            xb: "xb",
+            yb: "yb",
+            xc: "xc",
+            yc: "yc",
+            d: "d",
+            da: "da",
+            e: "e",
+            ea: "ea",
+            zf: "zf",
+            zt: "zt",
+            fa: "fa",
+            rr: "rr",
+            ra: "ra",
+            ss: "ss",
+            sa: "sa",
+            sb: "sb",
+            sc: "sc",
+            sd: "sd",
+            ta: "ta",
+            tb: "tb",
+            u: "u",
+            ua: "ua",
+            ub: "ub",
+            c0: "c0",
+            l0: "l0",
+            mom: "mom",
+        }
+    )
+}
+
+const LOOPS: [&str; 6] = ["b_x", "b_y", "delta_tip_x", "delta_tip_y", "epsilon_tip_x", "epsilon_tip_y"];
+
+/// The test set writes M a = f - Gᵀ λ.
+fn negative(values: Vec<f64>) -> Vec<f64> {
+    values.into_iter().map(|v| -v).collect()
+}
+
+#[test]
+fn andrews_at_states() {
+    let golden = parse(include_str!("data/andrews_states.json"));
+    let mechanism = Running::new(squeezer(&golden["params"]));
+    for state in list(&golden["states"]) {
+        let y = picked(state, &["q", "v1"]);
+        // accelerations at rest are of the size of the torque on the crank
+        assert_close_at("q'", &mechanism.velocities(0.0, &y), &numbers(&state["qd"]), EVALUATED, 1.0);
+        assert_close("q''", &mechanism.velocity_rates(0.0, &y), &numbers(&state["qdd"]), EVALUATED);
+        assert_close("λ", &negative(lambda(&mechanism, &LOOPS, &y)), &numbers(&state["lambda"]), EVALUATED);
+    }
+}
+
+#[test]
+fn andrews_in_motion() {
+    let golden = parse(include_str!("data/andrews.json"));
+    let mechanism = Running::new(squeezer(&golden["parameters"]));
+    let rows = list(&case(&golden, "recomputed_trajectory")["expected"]);
+    let start = [numbers(&golden["initial"]["q"]), vec![0.0]].concat();
+    let initial = &case(&golden, "initial_acceleration")["expected"];
+    assert_close("q''", &mechanism.velocity_rates(0.0, &start), &numbers(&initial["qdd"]), AT_A_STATE);
+    assert_close("λ", &negative(lambda(&mechanism, &LOOPS, &start)), &numbers(&initial["lam"]), AT_A_STATE);
+    let times: Vec<f64> = std::iter::once(0.0).chain(rows.iter().map(|row| numbers(&row["t"])[0])).collect();
+    for ((t, y), row) in times.iter().zip(mechanism.run(&start, &times, 2e-4)).skip(1).zip(rows) {
+        let place = format!("at {t}");
+        assert_close(&place, &mechanism.coordinates(*t, &y), &numbers(&row["q"]), IN_MOTION);
+        // a relative change of the torque by 1e-12 moves the velocities by 4e-9
+        assert_close(&place, &mechanism.velocities(*t, &y), &numbers(&row["qd"]), 1e-8);
+        let state = [numbers(&row["q"]), vec![numbers(&row["qd"])[0]]].concat();
+        assert_close(&place, &mechanism.velocity_rates(*t, &state), &numbers(&row["qdd"]), EVALUATED);
+        assert_close(&place, &negative(lambda(&mechanism, &LOOPS, &state)), &numbers(&row["lam"]), EVALUATED);
+    }
+}
+
+#[test]
+fn slider_crank_of_equal_lengths() {
+    let golden = parse(include_str!("data/slider_crank_equal.json"));
+    let model = from_json!(golden["parameters"], CrankAndSlider { l: "l", m1: "m1", m2: "m2", m3: "m3", g: "g" });
+    let crank = Running::new(model);
+    let rows = list(&case(&golden, "smooth_branch")["expected"]);
+    for row in rows.iter().filter(|row| row["singular"].is_null()) {
+        let y = picked(row, &["alpha", "beta", "x", "alpha_rate"]);
+        let [turn, slide] = ["alpha_acceleration", "x_acceleration"].map(|name| numbers(&row[name])[0]);
+        // after many turns the angles are doubles of 24 with their rounding
+        let tolerance = AT_A_STATE * (1.0 + y[0].abs());
+        assert_close("accelerations", &crank.velocity_rates(0.0, &y), &[turn, turn, slide], tolerance);
+        let reaction = numbers(&row["generalised_reaction"]);
+        assert_close("Cᵀ λ", crank.reaction(0.0, &y).as_slice(), &reaction, tolerance);
+    }
+}
