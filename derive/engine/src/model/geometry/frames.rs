@@ -17,6 +17,8 @@ pub(in crate::model) struct Frame {
     pub base: usize,
     /// From components in its axes to those in the base's.
     pub rotation: Rotation,
+    /// The axis and the angle of this rotation, where it is one about an axis that is fixed in both.
+    pub turn: Option<(Triple, Expr)>,
     /// The angular velocity against the base, in its own axes.
     pub spin: Triple,
     /// The angular velocity against the inertial frame, in its own axes.
@@ -144,7 +146,9 @@ impl Vocabulary<'_> {
         let graph = &mut self.graph;
         let rotation = graph.rotation(&axis, angle);
         let spin = graph.times(rate, &axis);
-        self.pushed(base, rotation, spin, mentions)
+        let frame = self.pushed(base, rotation, spin, mentions);
+        self.geometry.frames[frame].turn = Some((axis, angle));
+        frame
     }
 
     /// A new frame by its rotation and its angular velocity against its base.
@@ -154,7 +158,7 @@ impl Vocabulary<'_> {
         let carried = graph.turned_back(&rotation, &parent.omega);
         let omega = graph.plus(&carried, &spin);
         let mentions = mentions.and(parent.mentions);
-        self.geometry.frames.push(Frame { base, rotation, spin, omega, mentions });
+        self.geometry.frames.push(Frame { base, rotation, turn: None, spin, omega, mentions });
         self.geometry.frames.len() - 1
     }
 

@@ -34,7 +34,7 @@ impl Geometry {
     pub fn new(graph: &Graph, declarations: &Declarations) -> Self {
         let still = graph.no_vector();
         let rotation = std::array::from_fn(|i| graph.axis(i));
-        let inertial = Frame { base: 0, rotation, spin: still, omega: still, mentions: Mentions::NONE };
+        let inertial = Frame { base: 0, rotation, turn: None, spin: still, omega: still, mentions: Mentions::NONE };
         let geometry = &declarations.geometry;
         Geometry {
             frames: vec![inertial],

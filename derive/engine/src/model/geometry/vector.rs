@@ -5,7 +5,7 @@
 
 use super::Geometry;
 use super::frames::Frame;
-use crate::symbolic::{Expr, Graph, Symbol, Triple};
+use crate::symbolic::{Expr, Graph, Rotation, Symbol, Triple};
 
 /// A vector; a point stands for its position from the origin.
 #[derive(Clone, Debug, Default)]
@@ -85,8 +85,9 @@ impl Vector {
         // Towards the inertial frame until the way to `frame` is met, then along that way.
         for of in (1..frames.len()).rev().filter(|of| !path.contains(of)) {
             if let Some(components) = at[of].take() {
-                let moved = graph.turned(&frames[of].rotation, &components);
-                add(graph, &mut at[frames[of].base], moved);
+                let (base, rotation) = inwards(frames, of, &path, graph);
+                let moved = graph.turned(&rotation, &components);
+                add(graph, &mut at[base], moved);
             }
         }
         for of in path.into_iter().filter(|of| *of != 0) {
@@ -145,6 +146,21 @@ impl Vector {
             .collect();
         Vector::of_parts(graph, parts)
     }
+}
+
+/// The next frame towards the inertial one, and the rotation to its axes: over all frames that turn about one axis at once, their
+/// angles added, so that what meets in it has functions of sums and not sums of products.
+fn inwards(frames: &[Frame], of: usize, path: &[usize], graph: &mut Graph) -> (usize, Rotation) {
+    let Frame { mut base, rotation, turn, .. } = frames[of];
+    let Some((axis, mut angle)) = turn else { return (base, rotation) };
+    let mut several = false;
+    while !path.contains(&base)
+        && let Some((same, more)) = frames[base].turn
+        && same == axis
+    {
+        (base, angle, several) = (frames[base].base, graph.add(angle, more), true);
+    }
+    (base, if several { graph.rotation(&axis, angle) } else { rotation })
 }
 
 /// The frames from the inertial one to this one.
