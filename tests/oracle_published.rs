@@ -3,8 +3,7 @@
 mod support;
 
 use oracle::{Declaration, Motion, System, read_models};
-use serde_json::Value;
-use support::golden::{assert_close, assert_close_at, list, numbers, parse, picked, text};
+use support::golden::{assert_close, assert_close_at, case, list, numbers, parse, picked};
 
 /// All accelerations and forces are solved for at once, which loses some digits.
 const TOLERANCE: f64 = 1e-11;
@@ -13,10 +12,6 @@ const MANY: usize = 20;
 
 fn model(source: &str, name: &str) -> Declaration {
     read_models(source).into_iter().find(|model| model.name == name).expect("the model is declared")
-}
-
-fn case<'a>(golden: &'a Value, name: &str) -> &'a Value {
-    list(&golden["cases"]).iter().find(|case| text(&case["name"]) == name).expect("the case is there")
 }
 
 fn system(model: &Declaration, parameters: Vec<f64>, inputs: Vec<f64>) -> System<'_> {

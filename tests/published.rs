@@ -7,17 +7,13 @@ use holonomy::ConstrainedSystem;
 use models::{KnifeEdge, RollingDisc, Sleigh, SleighInPlane};
 use nalgebra::DVector;
 use serde_json::Value;
-use support::golden::{assert_close, assert_close_at, list, numbers, parse, picked, text};
+use support::golden::{assert_close, assert_close_at, case, list, numbers, parse, picked};
 use support::running::Running;
 
 const DISC: &str = include_str!("data/rolling_disc.json");
 const SLEIGH: &str = include_str!("data/chaplygin_sleigh.json");
 const AT_A_STATE: f64 = 1e-12;
 const IN_MOTION: f64 = 1e-9;
-
-fn case<'a>(golden: &'a Value, name: &str) -> &'a Value {
-    list(&golden["cases"]).iter().find(|case| text(&case["name"]) == name).expect("the case is there")
-}
 
 fn times(rows: &[Value]) -> Vec<f64> {
     rows.iter().map(|row| row["t"].as_f64().expect("a time")).collect()

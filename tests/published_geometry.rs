@@ -31,16 +31,12 @@ use rolling_disk::RollingDisk;
 use serde_json::Value;
 use std::path::Path;
 use support::declared;
-use support::golden::{assert_close, assert_close_at, list, numbers, parse, picked, text};
+use support::golden::{assert_close, assert_close_at, case, from_json, list, numbers, parse, picked};
 use support::running::{Running, dense, entries};
 
 const AT_A_STATE: f64 = 1e-12;
 const EVALUATED: f64 = 1e-11;
 const IN_MOTION: f64 = 1e-9;
-
-fn case<'a>(golden: &'a Value, name: &str) -> &'a Value {
-    list(&golden["cases"]).iter().find(|case| text(&case["name"]) == name).expect("the case is there")
-}
 
 fn times(rows: &[Value]) -> Vec<f64> {
     rows.iter().map(|row| row["t"].as_f64().expect("a time")).collect()
@@ -48,13 +44,6 @@ fn times(rows: &[Value]) -> Vec<f64> {
 
 fn number(value: &Value, name: &str) -> f64 {
     value[name].as_f64().expect("a number")
-}
-
-/// A struct of parameters from the object that names them.
-macro_rules! from_json {
-    ($values:expr, $model:ident { $($field:ident: $name:literal),* $(,)? }) => {
-        $model { $($field: number(&$values, $name)),* }
-    };
 }
 
 /// λ of the named rows.

@@ -6,25 +6,14 @@ mod support;
 
 use holonomy::prelude::*;
 use loops::{CrankAndSlider, FourBarOfRods, Squeezer};
-use serde_json::Value;
-use support::golden::{assert_close, assert_close_at, list, numbers, parse, picked, text};
+use support::andrews::andrews;
+use support::golden::{assert_close, assert_close_at, case, from_json, list, numbers, parse, picked};
 use support::running::Running;
 
 const AT_A_STATE: f64 = 1e-12;
 /// Where the data are evaluations of other programs.
 const EVALUATED: f64 = 1e-11;
 const IN_MOTION: f64 = 1e-9;
-
-fn case<'a>(golden: &'a Value, name: &str) -> &'a Value {
-    list(&golden["cases"]).iter().find(|case| text(&case["name"]) == name).expect("the case is there")
-}
-
-/// A struct of parameters from the object that names them.
-macro_rules! from_json {
-    ($values:expr, $model:ident { $($field:ident: $name:literal),* $(,)? }) => {
-        $model { $($field: $values[$name].as_f64().expect("a number")),* }
-    };
-}
 
 /// λ of the named rows.
 fn lambda<M: ConstrainedSystem>(running: &Running<M>, names: &[&str], y: &[f64]) -> Vec<f64> {
@@ -47,56 +36,6 @@ fn four_bar() {
     }
 }
 
-fn squeezer(values: &Value) -> Squeezer {
-    from_json!(
-        values,
-        Squeezer {
-            m1: "m1",
-            m2: "m2",
-            m3: "m3",
-            m4: "m4",
-            m5: "m5",
-            m6: "m6",
-            m7: "m7",
-            i1: "I1",
-            i2: "I2",
-            i3: "I3",
-            i4: "I4",
-            i5: "I5",
-            i6: "I6",
-            i7: "I7",
-            xa: "xa",
-            ya: "ya",
-            xb: "xb",
-            yb: "yb",
-            xc: "xc",
-            yc: "yc",
-            d: "d",
-            da: "da",
-            e: "e",
-            ea: "ea",
-            zf: "zf",
-            zt: "zt",
-            fa: "fa",
-            rr: "rr",
-            ra: "ra",
-            ss: "ss",
-            sa: "sa",
-            sb: "sb",
-            sc: "sc",
-            sd: "sd",
-            ta: "ta",
-            tb: "tb",
-            u: "u",
-            ua: "ua",
-            ub: "ub",
-            c0: "c0",
-            l0: "l0",
-            mom: "mom",
-        }
-    )
-}
-
 const LOOPS: [&str; 6] = ["b_x", "b_y", "delta_tip_x", "delta_tip_y", "epsilon_tip_x", "epsilon_tip_y"];
 
 /// The test set writes M a = f - Gᵀ λ.
@@ -107,7 +46,7 @@ fn negative(values: Vec<f64>) -> Vec<f64> {
 #[test]
 fn andrews_at_states() {
     let golden = parse(include_str!("data/andrews_states.json"));
-    let mechanism = Running::new(squeezer(&golden["params"]));
+    let mechanism = Running::new(andrews!(Squeezer, golden["params"]));
     for state in list(&golden["states"]) {
         let y = picked(state, &["q", "v1"]);
         // accelerations at rest are of the size of the torque on the crank
@@ -120,7 +59,7 @@ fn andrews_at_states() {
 #[test]
 fn andrews_in_motion() {
     let golden = parse(include_str!("data/andrews.json"));
-    let mechanism = Running::new(squeezer(&golden["parameters"]));
+    let mechanism = Running::new(andrews!(Squeezer, golden["parameters"]));
     let rows = list(&case(&golden, "recomputed_trajectory")["expected"]);
     let start = [numbers(&golden["initial"]["q"]), vec![0.0]].concat();
     let initial = &case(&golden, "initial_acceleration")["expected"];

@@ -12,25 +12,15 @@ use bodies::{Flyball, HeavyTop, TriplePendulum};
 use holonomy::prelude::*;
 use linkages::{Andrews, CarAxis, FourBar, SliderCrank, SliderCrankOnBranch};
 use serde_json::Value;
-use support::golden::{assert_close, assert_close_at, list, numbers, parse, picked, text};
+use support::andrews::andrews;
+use support::golden::{assert_close, assert_close_at, case, from_json, list, numbers, parse, picked};
 use support::running::{Running, entries};
 
 const AT_A_STATE: f64 = 1e-12;
 const IN_MOTION: f64 = 1e-9;
 
-fn case<'a>(golden: &'a Value, name: &str) -> &'a Value {
-    list(&golden["cases"]).iter().find(|case| text(&case["name"]) == name).expect("the case is there")
-}
-
 fn times(rows: &[Value]) -> Vec<f64> {
     rows.iter().map(|row| row["t"].as_f64().expect("a time")).collect()
-}
-
-/// A struct of parameters from the object that names them.
-macro_rules! from_json {
-    ($values:expr, $model:ident { $($field:ident: $name:literal),* $(,)? }) => {
-        $model { $($field: $values[$name].as_f64().expect("a number")),* }
-    };
 }
 
 /// Entry by entry, with the digits to which each is confirmed.
@@ -94,56 +84,6 @@ fn four_bar() {
     }
 }
 
-fn andrews(values: &Value) -> Andrews {
-    from_json!(
-        values,
-        Andrews {
-            m1: "m1",
-            m2: "m2",
-            m3: "m3",
-            m4: "m4",
-            m5: "m5",
-            m6: "m6",
-            m7: "m7",
-            i1: "I1",
-            i2: "I2",
-            i3: "I3",
-            i4: "I4",
-            i5: "I5",
-            i6: "I6",
-            i7: "I7",
-            xa: "xa",
-            ya: "ya",
-            xb: "xb",
-            yb: "yb",
-            xc: "xc",
-            yc: "yc",
-            d: "d",
-            da: "da",
-            e: "e",
-            ea: "ea",
-            zf: "zf",
-            zt: "zt",
-            fa: "fa",
-            rr: "rr",
-            ra: "ra",
-            ss: "ss",
-            sa: "sa",
-            sb: "sb",
-            sc: "sc",
-            sd: "sd",
-            ta: "ta",
-            tb: "tb",
-            u: "u",
-            ua: "ua",
-            ub: "ub",
-            c0: "c0",
-            l0: "l0",
-            mom: "mom",
-        }
-    )
-}
-
 const LOOPS: [&str; 6] = ["b_x", "b_y", "delta_x", "delta_y", "epsilon_x", "epsilon_y"];
 
 /// The test set writes M a = f - Gᵀ λ.
@@ -154,7 +94,7 @@ fn negative(values: Vec<f64>) -> Vec<f64> {
 #[test]
 fn andrews_at_states() {
     let golden = parse(include_str!("data/andrews_states.json"));
-    let mechanism = Running::new(andrews(&golden["params"]));
+    let mechanism = Running::new(andrews!(Andrews, golden["params"]));
     for state in list(&golden["states"]) {
         let y = picked(state, &["q", "v1"]);
         // accelerations at rest are of the size of the torque on the crank
@@ -167,7 +107,7 @@ fn andrews_at_states() {
 #[test]
 fn andrews_in_motion() {
     let golden = parse(include_str!("data/andrews.json"));
-    let mechanism = Running::new(andrews(&golden["parameters"]));
+    let mechanism = Running::new(andrews!(Andrews, golden["parameters"]));
     let rows = list(&case(&golden, "recomputed_trajectory")["expected"]);
     let start = [numbers(&golden["initial"]["q"]), vec![0.0]].concat();
     let initial = &case(&golden, "initial_acceleration")["expected"];

@@ -14,7 +14,7 @@ use disks::{FloorDisk, FloorDiskInputs, FloorDiskState, RollingDisk, RollingDisk
 use holonomy::prelude::*;
 use holonomy::{State, Trajectory};
 use serde_json::Value;
-use support::golden::{list, numbers, parse, picked, text};
+use support::golden::{case, list, numbers, parse, picked};
 use support::running::entries;
 
 const DISK: &str = include_str!("data/rolling_disk.json");
@@ -210,10 +210,6 @@ fn follows<M: ConstrainedSystem>(
         }
         println!("{:12} {method:?} {tolerance:.0e}: largest error {worst:.1e}", M::MODEL.name);
     }
-}
-
-fn case<'a>(golden: &'a Value, name: &str) -> &'a Value {
-    list(&golden["cases"]).iter().find(|case| text(&case["name"]) == name).expect("the case is there")
 }
 
 #[test]

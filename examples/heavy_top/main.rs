@@ -41,14 +41,10 @@ fn lowest() -> f64 {
     0.5 * (from + to) * L
 }
 
-fn free() -> FreeTop {
-    FreeTop { m: M, g: G, l: L, axial: AXIAL, across: ACROSS }
-}
-
 fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     let mut checks = Checks::default();
     let angled = AngledTop { m: M, g: G, l: L, axial: AXIAL, across: ACROSS }.prepare()?;
-    let free = free().prepare()?;
+    let free = FreeTop { m: M, g: G, l: L, axial: AXIAL, across: ACROSS }.prepare()?;
     let operations = |cost: &[holonomy::FunctionCost]| {
         let found = cost.iter().find(|cost| cost.function == "derivative");
         found.map_or((0, 0), |cost| (cost.additions + cost.multiplications + cost.divisions + cost.roots, cost.sincos))

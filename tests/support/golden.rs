@@ -63,3 +63,16 @@ pub fn assert_close_at(what: &str, computed: &[f64], expected: &[f64], relative:
         assert!(error <= relative * scale, "{what}[{i}]: {c:e} instead of {e:e}, off by {error:e} at scale {scale:e}");
     }
 }
+
+/// The case of that name.
+pub fn case<'a>(golden: &'a Value, name: &str) -> &'a Value {
+    list(&golden["cases"]).iter().find(|case| text(&case["name"]) == name).expect("the case is there")
+}
+
+/// A struct of parameters from the object that names them.
+macro_rules! from_json {
+    ($values:expr, $model:ident { $($field:ident: $name:literal),* $(,)? }) => {
+        $model { $($field: $values[$name].as_f64().expect("a number")),* }
+    };
+}
+pub(crate) use from_json;

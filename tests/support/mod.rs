@@ -1,6 +1,7 @@
 //! What several test files need beside the oracle.
-#![allow(dead_code, unused_imports, reason = "every test file uses its own part")]
+#![allow(dead_code, unused_imports, unused_macros, reason = "every test file uses its own part")]
 
+pub mod andrews;
 pub mod declared;
 pub mod extrapolation;
 pub mod fields;

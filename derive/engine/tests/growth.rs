@@ -101,6 +101,20 @@ fn rods_in_space_grow_linearly() {
     grows("rods in space", spatial, 350);
 }
 
+/// Left to itself the derive takes M_d as a whole where that is quicker, and joint by joint beyond.
+#[test]
+fn long_chains_are_eliminated_joint_by_joint() {
+    let chosen = |n: usize| {
+        let text = absolute(n).to_string().replace("# [holonomy (elimination = recursive)]", "");
+        assert!(!text.contains("elimination"), "{text}");
+        let equations = derived(tokens(&text));
+        let told = equations.notes.iter().any(|note| note.starts_with("the motion is found joint by joint"));
+        assert_eq!(told, equations.is_recursive(), "{:?}", equations.notes);
+        told
+    };
+    assert_eq!([5, 10, 20, 40].map(chosen), [false, false, true, true]);
+}
+
 /// M and h* as a whole: n² entries that each cost the same.
 #[test]
 fn the_mass_matrix_grows_quadratically() {

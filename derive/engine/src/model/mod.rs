@@ -12,6 +12,7 @@
 //! | `geometry` | frames, points and bodies |
 //! | `mechanism` | what bodies come to: a tree of twists |
 //! | `kinematics` | ẋ = A v + a0 (2.1), v = B ẋ + b0 (2.2): one given, the other derived |
+//! | `joint_kinematics` | that of joints, quaternions among them |
 //! | `linear` | splitting what is linear, decided |
 //! | `inverse` | inverses with few divisors |
 //! | `dynamics` | M, h* (2.3), T, V |
@@ -30,6 +31,7 @@ mod dynamics;
 mod functions;
 mod geometry;
 mod inverse;
+mod joint_kinematics;
 mod kinematics;
 mod linear;
 mod lower;
