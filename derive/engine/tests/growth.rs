@@ -130,3 +130,47 @@ fn the_mass_matrix_grows_quadratically() {
     assert!(twenty.0 - ten.0 <= 4.2 * (ten.0 - five.0), "M");
     assert!(twenty.1 - ten.1 <= 4.2 * (ten.1 - five.1), "h*");
 }
+
+/// Four-bars in a row: each window shares its right arm with the next one, one loop more with two bars more, one degree of freedom.
+fn windows(n: usize) -> TokenStream {
+    let arms = n + 1;
+    tokens(&format!(
+        "#[size(n = {n}, arms = {arms})] #[coordinates(arm[arms], bar[n])]
+        #[frame(A[i] = rotate(N, z, arm[i]) for i in 0..arms, B[i] = rotate(N, z, bar[i]) for i in 0..n)]
+        #[point(G[i] = O + i*d*N.x for i in 0..arms, P[i] = G[i] + l*A[i].x for i in 0..arms)]
+        #[body(upright[i] = {{ frame: A[i], center: G[i] + l/2*A[i].x, mass: m, inertia: rod(m, l, x) }} for i in 0..arms)]
+        #[body(level[i] = {{ frame: B[i], center: P[i] + b/2*B[i].x, mass: m, inertia: rod(m, b, x) }} for i in 0..n)]
+        #[gravity(-g*N.y)] #[constraint(closure[i]: P[i] + b*B[i].x == P[i + 1] for i in 0..n)]
+        #[independent(dot(arm[0]))]
+        struct Windows {{ m: f64, l: f64, b: f64, d: f64, g: f64 }}"
+    ))
+}
+
+/// Operations of the motion and of the reactions, expressions and tokens: D, a_u and λ are found window by window, C_d⁻¹ is never
+/// written out.
+#[test]
+fn four_bars_in_a_row_grow_linearly() {
+    const WINDOWS: [usize; 5] = [1, 5, 10, 20, 40];
+    println!("windows: motion, reactions, arena, tokens; milliseconds");
+    let mut figures = Vec::new();
+    for n in WINDOWS {
+        let start = std::time::Instant::now();
+        let emitted = all(expand(windows(n)));
+        let time = start.elapsed().as_millis();
+        let equations = derived(windows(n));
+        let [motion, reactions] = ["derivative", "multipliers"].map(|name| count(&equations, name).operations());
+        let row = [motion, reactions, equations.graph.len(), emitted];
+        println!("{n}: {row:?}; {time}");
+        figures.push(row);
+    }
+    let added = |at: usize, figure: usize| {
+        let difference = figures[at][figure] as f64 - figures[at - 1][figure] as f64;
+        difference / (WINDOWS[at] - WINDOWS[at - 1]) as f64
+    };
+    for figure in 0..4 {
+        let most = (1..4).map(|at| added(at, figure)).fold(0.0, f64::max);
+        // The search for cheaper forms, which is bounded by counts, reaches less far in long rows.
+        let growth = if figure < 2 { 1.1 } else { 1.3 };
+        assert!(added(4, figure) <= growth * most, "figure {figure} grows faster in longer rows: {figures:?}");
+    }
+}

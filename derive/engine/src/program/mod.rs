@@ -25,6 +25,7 @@ pub mod layout;
 pub mod lower;
 pub mod names;
 pub mod operation;
+mod pairs;
 pub mod plan;
 pub mod schedule;
 pub mod share;

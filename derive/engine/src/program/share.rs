@@ -1,22 +1,11 @@
 //! Common work of many sums and products: the pair of members that occurs most often becomes a unit of its own, again
 //! and again, until no pair occurs twice. x⁴ becomes the square of a square on the way.
 
+use super::pairs::{Pair, Pairs};
 use super::unit::{Bag, Id, Unit, Units};
-use crate::symbolic::Stage;
-use std::cmp::Reverse;
-use std::collections::{BinaryHeap, HashMap};
 
 /// Longer bags are cut into pieces first: the work stays linear in the program.
 const LONGEST_BAG: usize = 48;
-
-/// Two members, ascending, and for sums whether their signs agree.
-type Pair = (Id, Id, bool);
-
-#[derive(Default)]
-struct Occurrences {
-    count: u32,
-    bags: Vec<u32>,
-}
 
 struct Sharing<'a> {
     units: &'a mut Units,
@@ -24,9 +13,7 @@ struct Sharing<'a> {
     /// The unit behind each bag.
     owners: Vec<Id>,
     bags: Vec<Bag>,
-    /// For look-up only: the heap gives the order.
-    pairs: HashMap<Pair, Occurrences>,
-    heap: BinaryHeap<(u32, Reverse<(Stage, Pair)>)>,
+    pairs: Pairs,
 }
 
 /// Shares pairs among all products, then among all sums.
@@ -43,7 +30,7 @@ pub fn share(units: &mut Units) {
             }
             owners.push(id as Id);
         }
-        let mut sharing = Sharing { units, product, owners, bags, pairs: HashMap::new(), heap: BinaryHeap::new() };
+        let mut sharing = Sharing { units, product, owners, bags, pairs: Pairs::default() };
         sharing.run();
     }
 }
@@ -72,14 +59,7 @@ impl Sharing<'_> {
                 self.count_in(pair, times, at);
             }
         }
-        while let Some((count, Reverse((stage, pair)))) = self.heap.pop() {
-            let now = self.pairs[&pair].count;
-            if now != count {
-                if (2..count).contains(&now) {
-                    self.heap.push((now, Reverse((stage, pair))));
-                }
-                continue;
-            }
+        while let Some(pair) = self.pairs.most_frequent() {
             self.extract(pair);
         }
         for (owner, bag) in self.owners.iter().zip(&self.bags) {
@@ -90,7 +70,7 @@ impl Sharing<'_> {
 
     fn extract(&mut self, pair: Pair) {
         let (a, b, agree) = pair;
-        let occurrences = std::mem::take(&mut self.pairs.get_mut(&pair).expect("counted").bags);
+        let occurrences = self.pairs.take_bags(pair);
         let bag = if a == b { vec![(a, 2)] } else { vec![(a, 1), (b, if self.product || agree { 1 } else { -1 })] };
         let new = self.units.push_pair(if self.product { Unit::Product(bag) } else { Unit::Sum(bag) });
         for at in occurrences {
@@ -101,7 +81,7 @@ impl Sharing<'_> {
             }
             let touched = [a, b, new];
             for (other, n) in self.pairs_of(at, Some(&touched)) {
-                self.pairs.get_mut(&other).expect("counted").count -= n;
+                self.pairs.remove(other, n);
             }
             let bag = &mut self.bags[at];
             let sign = bag.iter().find(|(id, _)| *id == a).map_or(1, |(_, weight)| *weight);
@@ -124,16 +104,8 @@ impl Sharing<'_> {
     }
 
     fn count_in(&mut self, pair: Pair, times: u32, at: usize) {
-        let occurrences = self.pairs.entry(pair).or_default();
-        occurrences.count += times;
-        // Bags are counted one after the other, so a repetition stands last.
-        if occurrences.bags.last() != Some(&(at as u32)) {
-            occurrences.bags.push(at as u32);
-        }
-        if occurrences.count > 1 {
-            let stage = self.units.stage(pair.0).max(self.units.stage(pair.1));
-            self.heap.push((occurrences.count, Reverse((stage, pair))));
-        }
+        let stage = || self.units.stage(pair.0).max(self.units.stage(pair.1));
+        self.pairs.add(pair, times, at as u32, stage);
     }
 
     /// How often the pair stands in the bag.

@@ -194,7 +194,7 @@ fn solved(graph: &mut Graph, simplifier: &mut dyn Simplifier, found: &[StateRow]
         }
     }
     let mut offset = none.offset.clone();
-    for (pivot, value) in elimination.pivots.iter().zip(elimination.inverse.mul_vec(graph, &none.bias)) {
+    for (pivot, value) in elimination.pivots.iter().zip(elimination.solve(graph, simplifier, &none.bias)) {
         let value = graph.neg(value);
         offset[*pivot] = simplifier.one(graph, value);
     }

@@ -49,8 +49,8 @@ pub fn combined(
     // c0*, and the rate of L w + l0 with ẇ = 0.
     let mut biases: Vec<Expr> = carried.iter().map(|row| row.bias).collect();
     biases.extend(graph.along(&readings, &carriers.motion));
-    let offset = elimination.inverse.mul_vec(graph, &offsets);
-    let bias = elimination.inverse.mul_vec(graph, &biases);
+    let offset = elimination.solve(graph, simplifier, &offsets);
+    let bias = elimination.solve(graph, simplifier, &biases);
     let mut complement = Matrix::zeros(graph, speeds.len(), width);
     for i in 0..speeds.len() {
         for (row, column) in elimination.pivots.iter().enumerate() {

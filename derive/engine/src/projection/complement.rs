@@ -115,7 +115,7 @@ fn particular(
     let mut solution = vec![graph.zero(); width];
     let choice = Choice { columns: vec![true; width], new_guards: false };
     if let Ok(elimination) = eliminate(graph, simplifier, &c, &choice) {
-        let at_pivots = elimination.inverse.mul_vec(graph, &offsets);
+        let at_pivots = elimination.solve(graph, simplifier, &offsets);
         elimination.pivots.iter().zip(at_pivots).for_each(|(j, value)| solution[*j] = value);
         return (solution, Vec::new());
     }

@@ -89,7 +89,7 @@ fn independent_at(graph: &Graph, rows: &[Vec<Expr>], order: &[usize], point: usi
 /// The coefficients of a dependent row over the rows that `elimination` has reduced.
 pub fn combination(graph: &mut Graph, simplifier: &mut dyn Simplifier, e: &Elimination, row: &[Expr]) -> Vec<Expr> {
     let at_pivots: Vec<Expr> = e.pivots.iter().map(|j| row[*j]).collect();
-    let coefficients = e.inverse.transpose().mul_vec(graph, &at_pivots);
+    let coefficients = e.solve_transposed(graph, simplifier, &at_pivots);
     coefficients.into_iter().map(|c| if graph.vanishes(c) { graph.zero() } else { simplifier.one(graph, c) }).collect()
 }
 

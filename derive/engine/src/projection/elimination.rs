@@ -38,9 +38,88 @@ pub struct Elimination {
     pub reduced: Matrix,
     /// C_d⁻¹, rows in the order of C's rows: C_d⁻¹ maps C's rows to the reduced ones.
     pub inverse: Matrix,
+    /// How the reduced form was made of C.
+    steps: Vec<Step>,
+}
+
+/// What was done to the rows of C, of which C_d⁻¹ is the product.
+#[derive(Clone, Debug)]
+enum Step {
+    /// The rows of a block were multiplied by the adjugate of the block, and divided by its determinant.
+    Solve { rows: Vec<usize>, adjugate: Matrix, determinant: Expr },
+    /// The multiple of one row was taken from another.
+    Subtract { row: usize, other: usize, factor: Expr },
+}
+
+impl Step {
+    /// How many products it takes.
+    fn terms(&self, graph: &Graph) -> usize {
+        match self {
+            Step::Solve { adjugate, .. } => adjugate.entries().iter().filter(|e| !graph.is_zero(**e)).count(),
+            Step::Subtract { .. } => 1,
+        }
+    }
 }
 
 impl Elimination {
+    /// C_d⁻¹ b.
+    ///
+    /// In a long row of blocks that need each other C_d⁻¹ is full, although few things were done to the rows: where that is
+    /// less, they are done to b.
+    pub fn solve(&self, graph: &mut Graph, simplifier: &mut dyn Simplifier, b: &[Expr]) -> Vec<Expr> {
+        if !self.is_shorter_by_steps(graph) {
+            return self.inverse.mul_vec(graph, b);
+        }
+        let mut solution = b.to_vec();
+        for step in &self.steps {
+            match step {
+                Step::Solve { rows, adjugate, determinant } => {
+                    let given: Vec<Expr> = rows.iter().map(|row| solution[*row]).collect();
+                    let solved = adjugate.mul_vec(graph, &given);
+                    for (row, value) in rows.iter().zip(solved) {
+                        let value = graph.div(value, *determinant);
+                        solution[*row] = simplifier.one(graph, value);
+                    }
+                }
+                Step::Subtract { row, other, factor } => {
+                    let product = graph.mul(*factor, solution[*other]);
+                    solution[*row] = graph.sub(solution[*row], product);
+                }
+            }
+        }
+        solution
+    }
+
+    /// C_d⁻ᵀ r, of r for the pivot of each row.
+    pub fn solve_transposed(&self, graph: &mut Graph, simplifier: &mut dyn Simplifier, r: &[Expr]) -> Vec<Expr> {
+        if !self.is_shorter_by_steps(graph) {
+            return self.inverse.transpose().mul_vec(graph, r);
+        }
+        let mut solution = r.to_vec();
+        for step in self.steps.iter().rev() {
+            match step {
+                Step::Solve { rows, adjugate, determinant } => {
+                    let given: Vec<Expr> = rows.iter().map(|row| solution[*row]).collect();
+                    let solved = adjugate.transpose().mul_vec(graph, &given);
+                    for (row, value) in rows.iter().zip(solved) {
+                        let value = graph.div(value, *determinant);
+                        solution[*row] = simplifier.one(graph, value);
+                    }
+                }
+                Step::Subtract { row, other, factor } => {
+                    let product = graph.mul(*factor, solution[*row]);
+                    solution[*other] = graph.sub(solution[*other], product);
+                }
+            }
+        }
+        solution
+    }
+
+    fn is_shorter_by_steps(&self, graph: &Graph) -> bool {
+        let entries = self.inverse.entries().iter().filter(|e| !graph.is_zero(**e)).count();
+        self.steps.iter().map(|step| step.terms(graph)).sum::<usize>() < entries
+    }
+
     /// What each row's pivot is, over names of the rows.
     pub fn pivot_names(&self, names: &[String]) -> Vec<String> {
         let block = |row: usize| {
@@ -94,6 +173,7 @@ pub fn eliminate(
         values: vec![graph.one(); m],
         ranks: vec![0; m],
         leaders: (0..m).collect(),
+        steps: Vec::new(),
         columns: choice.columns.clone(),
     };
     let mut blocks_done = !choice.new_guards;
@@ -111,9 +191,9 @@ pub fn eliminate(
         }
         work.pivot(graph, simplifier, row, column, dear);
     }
-    let Work { reduced, inverse, pivots, values, ranks, leaders, .. } = work;
+    let Work { reduced, inverse, pivots, values, ranks, leaders, steps, .. } = work;
     debug_assert!(pivots.iter().flatten().all(|j| *j < n));
-    Ok(Elimination { pivots: pivots.into_iter().flatten().collect(), values, ranks, leaders, reduced, inverse })
+    Ok(Elimination { pivots: pivots.into_iter().flatten().collect(), values, ranks, leaders, reduced, inverse, steps })
 }
 
 /// An elimination on its way.
@@ -125,6 +205,7 @@ struct Work {
     values: Vec<Expr>,
     ranks: Vec<u8>,
     leaders: Vec<usize>,
+    steps: Vec<Step>,
     /// Columns in which pivots may stand.
     columns: Vec<bool>,
 }
@@ -155,6 +236,7 @@ impl Work {
         scale_row(graph, &mut self.inverse, row, pivot);
         let one = graph.one();
         self.reduced.set(row, column, one);
+        self.steps.push(Step::Solve { rows: vec![row], adjugate: Matrix::identity(graph, 1), determinant: pivot });
         self.clear(graph, simplifier, row, column);
     }
 
@@ -165,6 +247,7 @@ impl Work {
             if !graph.is_zero(factor) {
                 subtract_row(graph, simplifier, &mut self.reduced, other, row, factor);
                 subtract_row(graph, simplifier, &mut self.inverse, other, row, factor);
+                self.steps.push(Step::Subtract { row: other, other: row, factor });
                 let zero = graph.zero();
                 self.reduced.set(other, column, zero);
             }
@@ -249,6 +332,7 @@ impl Work {
                 self.reduced.set(*other, *column, unit);
             }
         }
+        self.steps.push(Step::Solve { rows: rows.to_vec(), adjugate, determinant });
         for (row, column) in rows.iter().zip(columns) {
             self.clear(graph, simplifier, *row, *column);
         }

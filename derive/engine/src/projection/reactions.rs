@@ -168,7 +168,7 @@ fn among_speeds(graph: &mut Graph, simplifier: &mut dyn Simplifier, motion: Moti
         let r = residual(graph, &dynamics.speed_inertia, &dynamics.speed_forces, &solution.accelerations, *j);
         at_pivots.push(simplifier.one(graph, r));
     }
-    let multipliers = elimination.inverse.transpose().mul_vec(graph, &at_pivots);
+    let multipliers = elimination.solve_transposed(graph, simplifier, &at_pivots);
     multipliers.into_iter().map(|e| simplifier.one(graph, e)).collect()
 }
 
@@ -197,15 +197,14 @@ fn among_carriers(
     };
     // Below the rows of C there may be those of L, on which no force acts: with E = [C; L], r = Cᵀ λ = Eᵀ [λ; 0].
     let (inverse, m) = (&elimination.inverse, tangent.rows.len());
-    let inverse = Matrix::from_fn(inverse.rows(), m, |i, j| inverse.get(i, j));
     let mut at_pivots = Vec::with_capacity(elimination.pivots.len());
     for (row, j) in elimination.pivots.iter().enumerate() {
-        let needed = inverse.row(row).iter().any(|e| !graph.is_zero(*e));
+        let needed = inverse.row(row)[..m].iter().any(|e| !graph.is_zero(*e));
         let r = if needed { net(graph, *j) } else { graph.zero() };
         at_pivots.push(simplifier.one(graph, r));
     }
-    let inverse = inverse.map(|entries| to_state(graph, carriers, tangent, entries));
-    Reactions { multipliers: inverse.transpose().mul_vec(graph, &at_pivots), pivots: Vec::new() }
+    let multipliers = elimination.solve_transposed(graph, simplifier, &at_pivots);
+    Reactions { multipliers: to_state(graph, carriers, tangent, &multipliers[..m]), pivots: Vec::new() }
 }
 
 /// Dᵀ u̇ + a.
@@ -226,7 +225,7 @@ fn solve(graph: &mut Graph, simplifier: &mut dyn Simplifier, c: &Matrix, r: &[Ex
     let choice = Choice { columns: vec![true; c.columns()], new_guards: false };
     if let Ok(elimination) = eliminate(graph, simplifier, c, &choice) {
         let at_pivots: Vec<Expr> = elimination.pivots.iter().map(|j| r[*j]).collect();
-        let multipliers = elimination.inverse.transpose().mul_vec(graph, &at_pivots);
+        let multipliers = elimination.solve_transposed(graph, simplifier, &at_pivots);
         return Reactions { multipliers, pivots: Vec::new() };
     }
     let transposed = c.transpose();

@@ -121,8 +121,8 @@ pub fn tangent(
     let order = independent.unwrap_or_else(|| (0..width).filter(|j| !elimination.pivots.contains(j)).collect());
     let offsets: Vec<Expr> = carried.iter().map(|row| row.offset).collect();
     let biases: Vec<Expr> = carried.iter().map(|row| row.bias).collect();
-    let offset = elimination.inverse.mul_vec(graph, &offsets);
-    let bias = elimination.inverse.mul_vec(graph, &biases);
+    let offset = elimination.solve(graph, simplifier, &offsets);
+    let bias = elimination.solve(graph, simplifier, &biases);
     // w_d = -C_d⁻¹ C_i u - C_d⁻¹ η
     let mut complement = Matrix::zeros(graph, order.len(), width);
     for (i, j) in order.iter().enumerate() {

@@ -164,38 +164,64 @@ fn derived_angles(graph: &Graph, nodes: &[Expr]) -> BTreeMap<Expr, usize> {
     forms.sort_by_cached_key(|(form, e, _)| (form.size(), *e));
     for (i, (angle, e, uses)) in forms.iter().enumerate() {
         let before = || forms[..i].iter().map(|(form, ..)| form);
-        if before().any(|a| before().any(|b| angle.is(a, b, false) || angle.is(a, b, true))) {
+        let follows = |a: &AngleForm| {
+            let rest = angle.minus(a);
+            before().any(|b| b.is_plus_or_minus(&rest))
+        };
+        if before().any(follows) {
             derived.insert(*e, *uses);
         }
     }
     derived
 }
 
-/// An angle as a sum: coefficients by term, the constant as that of one.
-struct AngleForm(BTreeMap<Expr, Rational>);
+/// An angle as a sum: coefficients by term in ascending order, the constant as that of one.
+struct AngleForm(Vec<(Expr, Rational)>);
 
 impl AngleForm {
     fn of(graph: &Graph, e: Expr) -> Self {
         let (constant, terms) = graph.as_sum(e);
         let constant = (!constant.is_zero()).then(|| (graph.one(), constant));
-        AngleForm(terms.into_iter().map(|(c, t)| (t, c)).chain(constant).collect())
-    }
-
-    fn coefficient(&self, term: &Expr) -> Rational {
-        self.0.get(term).cloned().unwrap_or(Rational::ZERO)
+        let mut terms: Vec<(Expr, Rational)> = terms.into_iter().map(|(c, t)| (t, c)).chain(constant).collect();
+        terms.sort_unstable_by_key(|(term, _)| *term);
+        AngleForm(terms)
     }
 
     /// Terms, and their coefficients' magnitudes together.
     fn size(&self) -> (usize, Rational) {
         let magnitude = |c: &Rational| if c.is_negative() { c.neg() } else { c.clone() };
-        (self.0.len(), self.0.values().fold(Rational::ZERO, |sum, c| sum.add(&magnitude(c))))
+        (self.0.len(), self.0.iter().fold(Rational::ZERO, |sum, (_, c)| sum.add(&magnitude(c))))
     }
 
-    /// Whether this is a + b, or a - b.
-    fn is(&self, a: &AngleForm, b: &AngleForm, minus: bool) -> bool {
-        let signed = |c: Rational| if minus { c.neg() } else { c };
-        let mut terms = self.0.keys().chain(a.0.keys()).chain(b.0.keys());
-        terms.all(|t| self.coefficient(t) == a.coefficient(t).add(&signed(b.coefficient(t))))
+    fn minus(&self, other: &AngleForm) -> AngleForm {
+        let mut terms = Vec::with_capacity(self.0.len() + other.0.len());
+        let (mut i, mut j) = (0, 0);
+        while i < self.0.len() || j < other.0.len() {
+            let first = i < self.0.len() && (j == other.0.len() || self.0[i].0 <= other.0[j].0);
+            let second = j < other.0.len() && (i == self.0.len() || other.0[j].0 <= self.0[i].0);
+            let term = if first { self.0[i].0 } else { other.0[j].0 };
+            let coefficient = match (first, second) {
+                (true, true) => self.0[i].1.add(&other.0[j].1.neg()),
+                (true, false) => self.0[i].1.clone(),
+                _ => other.0[j].1.neg(),
+            };
+            (i, j) = (i + usize::from(first), j + usize::from(second));
+            if !coefficient.is_zero() {
+                terms.push((term, coefficient));
+            }
+        }
+        AngleForm(terms)
+    }
+
+    /// Whether the other is this angle or its opposite.
+    fn is_plus_or_minus(&self, other: &AngleForm) -> bool {
+        let (own, other) = (self.0.as_slice(), other.0.as_slice());
+        if own.len() != other.len() || own.first().map(|(term, _)| *term) != other.first().map(|(term, _)| *term) {
+            return false;
+        }
+        let pairs = || own.iter().zip(other);
+        let same = pairs().all(|((a, c), (b, d))| a == b && c == d);
+        same || pairs().all(|((a, c), (b, d))| a == b && *c == d.neg())
     }
 }
 
