@@ -232,3 +232,20 @@ fn car_axis() {
     assert_close("end", &axle.velocities(3.0, end), &numbers(&expected["qd"]), IN_MOTION);
     assert_close("end", &axle.multipliers(3.0, end), &numbers(&expected["lam"]), 1e-7);
 }
+
+/// What a derivative costs, beside the same mechanism by equations as `data/decisions` has it: nobody shall pay for geometry.
+#[test]
+fn geometry_costs_little() {
+    fn costs<M: ConstrainedSystem>([most, sincos]: [usize; 2], by_equations: usize) {
+        let cost = M::MODEL.operations.iter().find(|cost| cost.function == "derivative").expect("every model has one");
+        let found = cost.additions + cost.multiplications + cost.divisions + cost.roots;
+        println!("{:16} {found:4} + {}, by equations {by_equations}", M::MODEL.name, cost.sincos);
+        assert!(found <= most && cost.sincos <= sincos, "{}: {found} + {}", M::MODEL.name, cost.sincos);
+    }
+    costs::<FourBarOfRods>([77, 3], 77);
+    costs::<CrankAndSlider>([46, 2], 46);
+    costs::<Squeezer>([319, 7], 309);
+    costs::<Axle>([119, 1], 119);
+    costs::<Governor>([114, 2], 105);
+    costs::<Bricard>([796, 5], 1452);
+}
