@@ -5,7 +5,7 @@
 //! exact, by dual numbers through the emitted code.
 //!
 //! Radau5 wants its tolerances as lists, `rtol([1e-9; 3])` for a state of three entries: version 0.7 of that crate makes its tolerances
-//! coarser for its own use, a single number once for every entry of the state: with eight of them 1e-11 becomes what 4e-4 should be.
+//! coarser for its own use, a single number once for every entry of the state: with eight of them 1e-11 becomes what 3e-4 should be.
 //!
 //! ```
 //! # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
