@@ -59,8 +59,8 @@ fn outputs<M: ConstrainedSystem>(running: &Running<M>, y: &[f64]) -> Vec<f64> {
 #[test]
 fn nothing_but_geometry_is_declared() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/models/geometry");
-    let examples =
-        ["puma/models.rs", "rolling_disk/geometry.rs"].map(|file| folder.join("../../../examples").join(file));
+    let examples = ["bricard/models.rs", "flyball/models.rs", "puma/models.rs", "rolling_disk/geometry.rs"]
+        .map(|file| folder.join("../../../examples").join(file));
     for file in declared::rust_files(&folder).into_iter().chain(examples) {
         let source = std::fs::read_to_string(&file).expect("the file is there");
         for statement in ["inertia(", "forces(", "kinetic_energy("] {

@@ -4,6 +4,9 @@
 //! strong. [`Equations`] makes a model an `ODE` of that crate, whose Radau5 and other methods run it then. The Jacobian is
 //! exact, by dual numbers through the emitted code.
 //!
+//! Radau5 wants its tolerances as lists, `rtol([1e-9; 3])` for a state of three entries: version 0.7 of that crate makes its tolerances
+//! coarser for its own use, a single number once for every entry of the state: with eight of them 1e-11 becomes what 3e-4 should be.
+//!
 //! ```
 //! # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
 //! # use models::{Pendulum, PendulumState};
@@ -13,7 +16,7 @@
 //!
 //! let pendulum = Pendulum { m: 2.0, l: 0.5, g: 9.81 }.prepare()?;
 //! let start = PendulumState { x: 0.3, y: -0.4, dot_x: 0.0 };
-//! let method = ImplicitRungeKutta::radau5().rtol(1e-9).atol(1e-9);
+//! let method = ImplicitRungeKutta::radau5().rtol([1e-9; 3]).atol([1e-9; 3]);
 //! let states = Equations::new(&pendulum)?.every(0.1).solve(method, start, (0.0, 1.0))?;
 //! let (t, end) = states.last().expect("the end");
 //! assert_eq!((states.len(), *t), (11, 1.0));

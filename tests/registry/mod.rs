@@ -65,6 +65,9 @@ pub mod example_appell_hamel;
 #[path = "../../examples/bicycle/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_bicycle;
+#[path = "../../examples/bricard/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_bricard;
 #[path = "../../examples/car_axis/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_car_axis;
@@ -80,6 +83,9 @@ pub mod example_chaplygin_sleigh;
 #[path = "../../examples/curvature/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_curvature;
+#[path = "../../examples/flyball/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_flyball;
 #[path = "../../examples/heavy_top/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_heavy_top;
@@ -163,7 +169,8 @@ macro_rules! every_model {
                     d, da, e, ea, zf, zt, fa, rr, ra, ss, sa, sb, sc, sd, ta, tb, u, ua, ub, c0, l0,
                     mom
                 )
-                CrankAndSlider(l, m1, m2, m3, g);
+                CrankAndSlider(l, m1, m2, m3, g)
+                Axle(eps, m, l, l0, r, w, g);
             "tests/models/geometry/rods.rs" rods:
                 TwoRods(m, l, g)
                 FiveRods(m, l, g)
@@ -229,6 +236,8 @@ macro_rules! every_model {
                     w, c, lambda, g, r_rear, m_rear, rear_xx, rear_yy, bx, bz, mb, bxx, byy, bzz, bxz, hx, hz, mh, hxx, hyy,
                     hzz, hxz, r_front, m_front, front_xx, front_yy
                 );
+            "examples/bricard/models.rs" example_bricard:
+                Bricard(m, l, b, g);
             "examples/car_axis/models.rs" example_car_axis:
                 CarAxle(eps, m, l, l0, r, w, g);
             "examples/cartesian_pendulum/models.rs" example_cartesian_pendulum:
@@ -239,6 +248,8 @@ macro_rules! every_model {
                 SteeredParticle(m, g, kappa);
             "examples/chain/models.rs" example_chain:
                 Chain(m, l, g);
+            "examples/flyball/models.rs" example_flyball:
+                Governor(g, k, cd, l0, m_rod, l_rod, w_rod, off, m_ball, m_slider, b_slider);
             "examples/heavy_top/models.rs" example_heavy_top:
                 AngledTop(m, g, l, axial, across)
                 FreeTop(m, g, l, axial, across);

@@ -176,3 +176,36 @@ pub struct CrankAndSlider {
     #[nominal(9.81)]
     pub g: f64,
 }
+
+/// Two masses on springs, joined by a massless axle; the road moves the right foot, and the wheel base stays at right angles to the
+/// left spring. Both rows depend on time.
+#[derive(ConstrainedSystem, Clone, Debug)]
+#[coordinates(xl, yl, xr, yr)]
+#[define(k = m*powi(eps, 2)/2, yb = r*sin(w*t))]
+#[point(L = O + xl*N.x + yl*N.y, R = O + xr*N.x + yr*N.y, Foot = O + sqrt(powi(l, 2) - powi(yb, 2))*N.x + yb*N.y)]
+#[particle(left = { at: L, mass: k }, right = { at: R, mass: k })]
+#[gravity(-g*N.y)]
+#[spring(
+    left_spring = { from: O, to: L, stiffness: 1, length: l0 },
+    right_spring = { from: Foot, to: R, stiffness: 1, length: l0 },
+)]
+#[constraint(foot: dot(L, Foot) == 0)]
+#[constraint(axle: dot(L - R, L - R) == powi(l, 2))]
+#[independent(dot(yl), dot(yr))]
+#[start(xl = 0, yl = 0.5, xr = 1, yr = 0.5)]
+pub struct Axle {
+    #[nominal(0.01)]
+    pub eps: f64,
+    #[nominal(10)]
+    pub m: f64,
+    #[nominal(1)]
+    pub l: f64,
+    #[nominal(0.5)]
+    pub l0: f64,
+    #[nominal(0.1)]
+    pub r: f64,
+    #[nominal(10)]
+    pub w: f64,
+    #[nominal(1)]
+    pub g: f64,
+}

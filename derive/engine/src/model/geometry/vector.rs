@@ -5,7 +5,7 @@
 
 use super::Geometry;
 use super::frames::Frame;
-use crate::symbolic::{Expr, Graph, Rotation, Symbol, Triple};
+use crate::symbolic::{Expr, Graph, Rational, Rotation, Symbol, Triple};
 
 /// A vector; a point stands for its position from the origin.
 #[derive(Clone, Debug, Default)]
@@ -101,6 +101,9 @@ impl Vector {
 
     pub fn dot(&self, other: &Vector, graph: &mut Graph, geometry: &Geometry) -> Expr {
         let (a, b) = (self.flattened(graph, geometry), other.flattened(graph, geometry));
+        if a.parts == b.parts {
+            return a.square(graph, geometry);
+        }
         let (few, many) = if a.parts.len() <= b.parts.len() { (&a, &b) } else { (&b, &a) };
         let terms: Vec<Expr> = few
             .parts
@@ -110,6 +113,19 @@ impl Vector {
                 graph.dot(components, &there)
             })
             .collect();
+        graph.sum(&terms)
+    }
+
+    /// a · a for parts from the origin, by the law of cosines: each pair of parts meets once, and counts twice.
+    fn square(&self, graph: &mut Graph, geometry: &Geometry) -> Expr {
+        let mut terms = Vec::new();
+        for (at, (frame, components)) in self.parts.iter().enumerate() {
+            terms.push(graph.dot(components, components));
+            let others = Vector { from: 0, parts: self.parts[at + 1..].to_vec() };
+            let there = others.expressed(*frame, graph, geometry);
+            let product = graph.dot(components, &there);
+            terms.push(graph.scale(Rational::integer(2), product));
+        }
         graph.sum(&terms)
     }
 
@@ -126,7 +142,7 @@ impl Vector {
         Vector::of_parts(graph, parts)
     }
 
-    /// |a|, each pair of parts in axes of one of them.
+    /// |a|.
     pub fn norm(&self, graph: &mut Graph, geometry: &Geometry) -> Expr {
         let square = self.dot(self, graph, geometry);
         graph.sqrt(square)

@@ -4,8 +4,20 @@ use super::further::Further;
 use crate::model::mechanism::{Line, LineKind};
 use crate::symbolic::{Expr, Graph, Rational, Symbol};
 
+/// What pulls along one scalar.
+struct Pull {
+    length: Expr,
+    /// d.
+    gradient: Vec<Expr>,
+    /// Q.
+    force: Expr,
+}
+
 /// Adds them: with d = ∂ṡ/∂v a force Q along s is d Q in h*, and an inertia j is j d dᵀ in M and -j d s̈ for v̇ = 0 in h*.
+///
+/// A spring and a damper along one scalar pull as one: their forces are summed before d multiplies them.
 pub fn add(graph: &mut Graph, lines: &[Line], speeds: &[Symbol], motion: &[(Symbol, Expr)], sums: &mut Further) {
+    let mut pulls: Vec<Pull> = Vec::new();
     for line in lines {
         let gradient = graph.jacobian(&[line.rate], speeds).row(0).to_vec();
         let force = match &line.kind {
@@ -32,6 +44,12 @@ pub fn add(graph: &mut Graph, lines: &[Line], speeds: &[Symbol], motion: &[(Symb
                 graph.mul(*inertia, second)
             }
         };
+        match pulls.iter_mut().find(|pull| pull.length == line.length) {
+            Some(pull) => pull.force = graph.add(pull.force, force),
+            None => pulls.push(Pull { length: line.length, gradient, force }),
+        }
+    }
+    for Pull { gradient, force, .. } in pulls {
         for (total, slope) in sums.along.forces.iter_mut().zip(&gradient) {
             let part = graph.mul(*slope, force);
             *total = graph.sub(*total, part);
