@@ -76,6 +76,13 @@ pub enum Error {
         /// All that was asked for, with what remains, and what is in the way.
         report: Box<AssemblyReport>,
     },
+    /// The mechanism closes, but what is held does not hold it: there are no single modes of assembly.
+    Movable {
+        /// How many more coordinates must be held.
+        freedom: usize,
+        /// The entries of the state that still move.
+        among: Vec<&'static str>,
+    },
     /// No state and inputs with the rates asked for were found.
     NotSteady {
         /// What is missed most, relative to the size of its terms: `the constraint`, `the rate of`, or `the quantity`.
@@ -283,6 +290,14 @@ impl fmt::Display for Error {
                     out.write_str("; ")?;
                 }
                 out.write_str("start from another guess, hold fewer coordinates, or check the dimensions")
+            }
+            Error::Movable { freedom, among } => {
+                write!(
+                    out,
+                    "the mechanism can still move in {freedom} independent ways: hold or set {freedom} more of "
+                )?;
+                list(out, among)?;
+                out.write_str(", or ask for as many other quantities with `meet`")
             }
             Error::NotSteady { what, name, residual, .. } => write!(
                 out,

@@ -5,7 +5,8 @@
 //!
 //! * [`ConstrainedSystem::prepare`] checks the parameters and gives a [`Prepared`] model, on which all methods live;
 //! * [`Prepared::outputs`] gives the quantities that the model declares besides its motion;
-//! * [`Prepared::assemble`] closes the constraints from a guess, with whatever else is asked for;
+//! * [`Prepared::assemble`] closes the constraints from a guess, with whatever else is asked for, and [`Assembly::modes`] in all
+//!   ways that are found from many starts;
 //! * [`Prepared::project_positions`] and [`Prepared::project_velocities`] take x and v back onto the constraints;
 //! * [`Prepared::simulate`] integrates, watches the guards, and stays on the constraint manifold;
 //! * [`Prepared::linearize`] gives the linear equations of small deviations from a motion, with eigenvalues and modes;
@@ -94,7 +95,7 @@ mod trim;
 mod vector;
 
 #[cfg(any(feature = "std", feature = "libm"))]
-pub use assemble::{Assembled, Assembly, AssemblyReport, Met};
+pub use assemble::{Assembled, Assembly, AssemblyMode, AssemblyModes, AssemblyReport, Met};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use error::Error;
 #[cfg(any(feature = "std", feature = "libm"))]
