@@ -94,6 +94,22 @@ pub enum Error {
         /// All that was asked for, with what remains.
         report: Box<TrimReport>,
     },
+    /// No inputs give the independent speeds the rates asked for.
+    NotHeld {
+        /// The speed that is missed most, relative to the size of the terms of its equation.
+        speed: &'static str,
+        /// The generalised force along it that is missing.
+        residual: f64,
+        /// When.
+        time: f64,
+    },
+    /// Inputs do not act on the motion in this state: what they give is taken up by the constraints, or it is nothing.
+    NoEffect {
+        /// Their names.
+        inputs: Vec<&'static str>,
+        /// When.
+        time: f64,
+    },
     /// A rate or an output has no finite value or no finite derivative in this state, or a constraint has none.
     NotDifferentiable {
         /// The entry of the state whose rate it is, the output, or the constraint.
@@ -304,6 +320,20 @@ impl fmt::Display for Error {
                 "no steady motion was found: {what} `{name}` remains off by {residual:e}; free another entry of the state or another \
                  input, ask for fewer rates, or start from another guess"
             ),
+            Error::NotHeld { speed, residual, time } => write!(
+                out,
+                "no inputs give the rates asked for at t = {time}: along `{speed}` a generalised force of {residual:e} is missing; ask \
+                 for another rate of it, give the model an input that acts there, or, where forces are not linear in the inputs, \
+                 start from another guess"
+            ),
+            Error::NoEffect { inputs, time } => {
+                out.write_str("the motion does not depend on the inputs ")?;
+                list(out, inputs)?;
+                write!(
+                    out,
+                    " at t = {time}: the constraints take up what they give; ask in another state, or leave them out"
+                )
+            }
             Error::NotDifferentiable { name, along, time } => write!(
                 out,
                 "`{name}` or its derivative along `{along}` is not finite at t = {time}; check forces, inputs and functions there, roots \

@@ -11,6 +11,7 @@
 //! * [`Prepared::simulate`] integrates, watches the guards, and stays on the constraint manifold;
 //! * [`Prepared::linearize`] gives the linear equations of small deviations from a motion, with eigenvalues and modes;
 //! * [`Prepared::trim`] finds equilibria and steady motions;
+//! * [`Prepared::inverse_dynamics`] gives the forces that a motion needs, [`Prepared::inputs_for`] the inputs;
 //! * [`equations`] has the derived equations as formulas and in LaTeX: `println!("{}", Pendulum::MODEL.latex())`;
 //! * [`forms`] has the unreduced forms of the equations, for oracles and for study.
 //!
