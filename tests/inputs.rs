@@ -96,6 +96,21 @@ struct Bob {
     g: f64,
 }
 
+/// The same, pushed across and upwards alike.
+#[derive(ConstrainedSystem, Clone, Debug)]
+#[coordinates(x, y)]
+#[inertia(diag(m, m))]
+#[forces(push, push - m*g)]
+#[inputs(push)]
+#[constraint(rod: (x*x + y*y - l*l)/2 == 0)]
+#[constraint(again: x*x + y*y == l*l, redundant)]
+#[independent(dot(x))]
+struct PushedBob {
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
 /// A vehicle of constant speed in a plane; its rudder turns it. The drag is taken up by what holds the speed.
 #[derive(ConstrainedSystem, Clone, Debug)]
 #[coordinates(x, y, z)]
@@ -156,6 +171,16 @@ struct Rotor {
 #[inputs(speed)]
 #[function(pump(s))]
 struct Pump {
+    m: f64,
+}
+
+/// A nozzle's thrust by its valve.
+#[derive(ConstrainedSystem, Clone, Debug)]
+#[coordinates(height)]
+#[inertia(diag(m))]
+#[forces(sqrt(valve) - m)]
+#[inputs(valve)]
+struct Nozzle {
     m: f64,
 }
 
@@ -300,6 +325,10 @@ fn rows_of_every_kind() {
         let drawn = random.vector(6, 0.2, 1.0);
         undoes(&bound, drawn[0], &State::<Bound>::from_fn(|i| drawn[i]), random);
     }
+    // Rows that repeat others: x ẍ + y ÿ is bound twice, and the push is unique all the same.
+    let bob = PushedBob { m: 2.0, l: 0.5, g: G }.prepare().expect("good parameters");
+    assert!(PushedBob::MODEL.rows.len() == 2 && PushedBob::MODEL.rows[1].redundant);
+    undoes(&bob, 0.0, &State::<PushedBob> { x: 0.3, y: -0.4, dot_x: 0.7 }, random);
     let both = DrivenFourBar { g: G }.prepare().expect("a good parameter");
     let guess = State::<DrivenFourBar> { q1: 0.7, q2: 0.6, q3: 1.9, dot_q1: 1.5 };
     undoes(&both, 0.0, &both.assemble(guess).hold("q1").solve().expect("it closes"), random);
@@ -349,13 +378,21 @@ fn forces_that_are_not_linear_in_the_inputs() {
     assert!((speed(2.5, 30.0).expect("it lifts") - 50.0).abs() < 1e-12);
     assert!((speed(2.5, -1.0).expect("it lifts") + 50.0).abs() < 1e-12);
     assert!((speed(2.5, 0.0).expect("it lifts").abs() - 50.0).abs() < 1e-12);
+    // Far away the terms are large, and so is their rounding; that counts no longer where it ends.
+    assert!((speed(2.5, 1e9).expect("it lifts") - 50.0).abs() < 1e-12);
     // It cannot pull: 2 (12 − 10) are missing at best.
     let error = speed(-12.0, 5.0).unwrap_err();
     let Error::NotHeld { speed: "dot_height", residual, .. } = error else { panic!("{error}") };
     assert!((residual + 4.0).abs() < 1e-6, "{residual}");
-    let error = Pump { m: 2.0 }.prepare().expect("a good parameter");
-    let error = error.inputs_for(0.0, &State::<Pump>::default(), &[1.0], &[1.0].into()).unwrap_err();
+    let pump = Pump { m: 2.0 }.prepare().expect("a good parameter");
+    let error = pump.inputs_for(0.0, &State::<Pump>::default(), &[1.0], &[1.0].into()).unwrap_err();
     assert_eq!(error, Error::MissingOrder { name: "dot_height" });
+    // √i has no derivative at zero, and no value below it.
+    let nozzle = Nozzle { m: 2.0 }.prepare().expect("a good parameter");
+    let valve = |guess: f64| nozzle.inputs_for(1.5, &State::<Nozzle>::default(), &[1.0], &[guess].into());
+    assert!((valve(9.0).expect("it lifts").valve - 16.0).abs() < 1e-12);
+    assert_eq!(valve(0.0), Err(Error::NotDifferentiable { name: "dot_height", along: "valve", time: 1.5 }));
+    assert_eq!(valve(-1.0), Err(Error::NonFinite { name: "dot_height" }));
 }
 
 #[test]
