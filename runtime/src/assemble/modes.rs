@@ -56,10 +56,10 @@ impl<M: ConstrainedSystem> Assembly<'_, M> {
     /// # How they are found
     ///
     /// A coordinate in which some equation is the same after a turn, as evaluations at several points show, is an angle. Angles
-    /// start anywhere within half a turn of the guess, other coordinates within their reach on both sides of
-    /// it and of zero: the change of the coordinate that changes an equation by as much as its terms are large, lengths of the
-    /// mechanism among them. The starts are the points of Richtmyer's sequence, the multiples of the roots of the primes modulo
-    /// one: they fill the space evenly and are the same in every run. Parameters that are solved for start from their values.
+    /// start anywhere within half a turn of the guess, other coordinates within their reach on both sides of it and of zero: the
+    /// change of the coordinate that changes a constraint by as much as its terms are large, lengths of the mechanism among
+    /// them. The starts are the points of Richtmyer's sequence, the multiples of the roots of the primes modulo one: they fill
+    /// the space evenly and are the same in every run. Parameters that are solved for start from their values.
     ///
     /// From each start Newton's method goes as in [`solve`](Self::solve), and once more with full steps where it ends without a
     /// solution. Solutions count as the same if no angle differs by more than 1e-5 rad, turns apart, no other coordinate by

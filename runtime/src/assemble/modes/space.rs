@@ -1,5 +1,7 @@
 //! Where assemblies start from, and how far apart they are: which coordinates are angles, and how far the others reach.
 
+mod reach;
+
 use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::{PI, TAU};
@@ -13,10 +15,6 @@ use crate::{ConstrainedSystem, Error};
 const SAME: f64 = 1e-11;
 /// Points at which equations are compared before and after a turn, the guess among them.
 const LOOKS: usize = 3;
-/// How often a reach is estimated, each time from points within the one before …
-const ROUNDS: usize = 8;
-/// … and from how many.
-const POINTS: usize = 5;
 
 /// The unknowns of an assembly.
 pub(super) struct Space {
@@ -54,8 +52,8 @@ impl Space {
         let ranges = level.unknowns.iter().zip(&guess).map(range).collect();
         let mut space = Space { steps: roots_of_primes(guess.len()), guess, ranges, quaternions: Vec::new() };
         space.find_angles(level)?;
-        space.find_reaches(level)?;
         space.find_quaternions(level)?;
+        space.find_reaches(level)?;
         Ok(space)
     }
 
@@ -139,49 +137,6 @@ impl Space {
         Ok(())
     }
 
-    /// Finds how far the unknowns reach that do not turn.
-    ///
-    /// What changes an equation by the size of its terms is as large as the others of its terms allow: |x| + l for x = l cos a;
-    /// and (x² + l²)/(2 |x|) for x² = l², which comes to l as in Heron's rule if it is repeated.
-    /// The least is taken: all equations must hold, and far away all terms are large.
-    fn find_reaches<M: ConstrainedSystem>(&mut self, level: &Level<'_, '_, M>) -> Result<(), Error> {
-        let n = self.guess.len();
-        let lengths: Vec<usize> = self.coordinates(level).filter(|j| !self.ranges[*j].turning).collect();
-        if lengths.is_empty() {
-            return Ok(());
-        }
-        let mut least = vec![f64::INFINITY; n];
-        for round in 0..=ROUNDS {
-            // The guess alone first: nothing else tells the unit of a length.
-            let points = if round == 0 { 0..1 } else { (round - 1) * POINTS + 1..round * POINTS + 1 };
-            let mut ratios: Vec<Vec<Vec<f64>>> = vec![Vec::new(); n];
-            for point in points {
-                let point = self.start(point);
-                let (slopes, sizes) = (level.jacobian(&point), level.sizes(&point)?);
-                for &j in &lengths {
-                    ratios[j].resize(sizes.len(), Vec::new());
-                    for (i, size) in sizes.iter().enumerate() {
-                        let ratio = size / slopes[(i, j)].abs();
-                        if ratio.is_finite() && ratio > 0.0 {
-                            ratios[j][i].push(ratio);
-                        }
-                    }
-                }
-            }
-            for &j in &lengths {
-                let reach = ratios[j].iter_mut().filter_map(|row| median(row)).fold(f64::INFINITY, f64::min);
-                if reach.is_finite() {
-                    let known = &mut least[j];
-                    *known = known.min(reach);
-                    self.ranges[j].reach = *known;
-                    // Both signs of a length are within it.
-                    self.ranges[j].drawn = *known + self.guess[j].abs();
-                }
-            }
-        }
-        Ok(())
-    }
-
     /// Finds quaternions: what a row binds that holds a norm, without a multiplier, if no equation tells their signs. Where a
     /// part is held, it often does.
     fn find_quaternions<M: ConstrainedSystem>(&mut self, level: &Level<'_, '_, M>) -> Result<(), Error> {
@@ -211,12 +166,6 @@ impl Space {
         let places: Vec<usize> = (0..self.guess.len()).filter(|j| is_state(&level.unknowns[*j])).collect();
         places.into_iter()
     }
-}
-
-/// The middle one of the numbers, the lower of two.
-fn median(numbers: &mut [f64]) -> Option<f64> {
-    numbers.sort_by(f64::total_cmp);
-    numbers.get(numbers.len().checked_sub(1)? / 2).copied()
 }
 
 /// The whole number of turns next to an angle; `core` has no rounding.
