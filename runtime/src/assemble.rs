@@ -2,6 +2,7 @@
 
 mod conditions;
 mod metric;
+mod modes;
 pub(crate) mod newton;
 mod problem;
 mod report;
@@ -17,6 +18,7 @@ use conditions::{Meeting, Wish, sort};
 use problem::Problem;
 
 pub(crate) use conditions::entries;
+pub use modes::{AssemblyMode, AssemblyModes};
 pub use report::{AssemblyReport, Met};
 
 /// A configuration in the making; from [`Prepared::assemble`].
@@ -180,14 +182,7 @@ impl<M: ConstrainedSystem> Assembly<'_, M> {
 
     /// The same with the parameters, and the report.
     pub fn solve_all(self) -> Result<Assembled<M>, Error> {
-        check_finite::<M>(self.time, &self.guess)?;
-        for (name, value) in self.meetings.iter().map(|meeting| (meeting.name, meeting.value)) {
-            if !value.is_finite() {
-                return Err(Error::NonFinite { name });
-            }
-        }
-        let sorted = sort(self.model, self.time, &self.guess, self.wishes, self.meetings, &self.parameters)?;
-        let mut problem = Problem::new(self.model, self.time, sorted, self.mass_weighted)?;
+        let mut problem = self.problem()?;
         let mut report = problem.solve_positions()?;
         report.append(problem.solve_velocities()?);
         Ok(Assembled { state: problem.state(), parameters: problem.parameters(), report })
@@ -198,6 +193,20 @@ impl<M: ConstrainedSystem> Assembly<'_, M> {
         self.wishes.retain(|wish| wish.name != name);
         self.wishes.push(Wish { name: name.into(), value });
         self
+    }
+}
+
+impl<'a, M: ConstrainedSystem> Assembly<'a, M> {
+    /// What was asked for, as equations.
+    fn problem(self) -> Result<Problem<'a, M>, Error> {
+        check_finite::<M>(self.time, &self.guess)?;
+        for (name, value) in self.meetings.iter().map(|meeting| (meeting.name, meeting.value)) {
+            if !value.is_finite() {
+                return Err(Error::NonFinite { name });
+            }
+        }
+        let sorted = sort(self.model, self.time, &self.guess, self.wishes, self.meetings, &self.parameters)?;
+        Problem::new(self.model, self.time, sorted, self.mass_weighted)
     }
 }
 

@@ -76,6 +76,13 @@ pub enum Error {
         /// All that was asked for, with what remains, and what is in the way.
         report: Box<AssemblyReport>,
     },
+    /// The mechanism closes, but what is held does not hold it: there are no single modes of assembly.
+    Movable {
+        /// How many more coordinates must be held.
+        freedom: usize,
+        /// The entries of the state that still move.
+        among: Vec<&'static str>,
+    },
     /// No state and inputs with the rates asked for were found.
     NotSteady {
         /// What is missed most, relative to the size of its terms: `the constraint`, `the rate of`, or `the quantity`.
@@ -86,6 +93,22 @@ pub enum Error {
         residual: f64,
         /// All that was asked for, with what remains.
         report: Box<TrimReport>,
+    },
+    /// No inputs give the independent speeds the rates asked for.
+    NotHeld {
+        /// The speed that is missed most, relative to the size of the terms of its equation.
+        speed: &'static str,
+        /// The generalised force along it that is missing.
+        residual: f64,
+        /// When.
+        time: f64,
+    },
+    /// Inputs do not act on the motion in this state: what they give is taken up by the constraints, or it is nothing.
+    NoEffect {
+        /// Their names.
+        inputs: Vec<&'static str>,
+        /// When.
+        time: f64,
     },
     /// A rate or an output has no finite value or no finite derivative in this state, or a constraint has none.
     NotDifferentiable {
@@ -284,11 +307,33 @@ impl fmt::Display for Error {
                 }
                 out.write_str("start from another guess, hold fewer coordinates, or check the dimensions")
             }
+            Error::Movable { freedom, among } => {
+                write!(
+                    out,
+                    "the mechanism can still move in {freedom} independent ways: hold or set {freedom} more of "
+                )?;
+                list(out, among)?;
+                out.write_str(", or ask for as many other quantities with `meet`")
+            }
             Error::NotSteady { what, name, residual, .. } => write!(
                 out,
                 "no steady motion was found: {what} `{name}` remains off by {residual:e}; free another entry of the state or another \
                  input, ask for fewer rates, or start from another guess"
             ),
+            Error::NotHeld { speed, residual, time } => write!(
+                out,
+                "no inputs give the rates asked for at t = {time}: along `{speed}` a generalised force of {residual:e} is missing; ask \
+                 for another rate of it, give the model an input that acts there, or, where forces are not linear in the inputs, \
+                 start from another guess"
+            ),
+            Error::NoEffect { inputs, time } => {
+                out.write_str("the motion does not depend on the inputs ")?;
+                list(out, inputs)?;
+                write!(
+                    out,
+                    " at t = {time}: the constraints take up what they give; ask in another state, or leave them out"
+                )
+            }
             Error::NotDifferentiable { name, along, time } => write!(
                 out,
                 "`{name}` or its derivative along `{along}` is not finite at t = {time}; check forces, inputs and functions there, roots \

@@ -38,7 +38,7 @@ pub use stages::Stages;
 
 pub(crate) use dense::solve;
 pub(crate) use general::least_change;
-pub(crate) use null_space::least_squares;
+pub(crate) use null_space::{least_squares, null_directions};
 
 /// The initial system and its constraints at one (t, x, v): n velocities, m rows.
 ///

@@ -5,11 +5,13 @@
 //!
 //! * [`ConstrainedSystem::prepare`] checks the parameters and gives a [`Prepared`] model, on which all methods live;
 //! * [`Prepared::outputs`] gives the quantities that the model declares besides its motion;
-//! * [`Prepared::assemble`] closes the constraints from a guess, with whatever else is asked for;
+//! * [`Prepared::assemble`] closes the constraints from a guess, with whatever else is asked for, and [`Assembly::modes`] in all
+//!   ways that are found from many starts;
 //! * [`Prepared::project_positions`] and [`Prepared::project_velocities`] take x and v back onto the constraints;
 //! * [`Prepared::simulate`] integrates, watches the guards, and stays on the constraint manifold;
 //! * [`Prepared::linearize`] gives the linear equations of small deviations from a motion, with eigenvalues and modes;
 //! * [`Prepared::trim`] finds equilibria and steady motions;
+//! * [`Prepared::inverse_dynamics`] gives the forces that a motion needs, [`Prepared::inputs_for`] the inputs;
 //! * [`equations`] has the derived equations as formulas and in LaTeX: `println!("{}", Pendulum::MODEL.latex())`;
 //! * [`forms`] has the unreduced forms of the equations, for oracles and for study.
 //!
@@ -94,7 +96,7 @@ mod trim;
 mod vector;
 
 #[cfg(any(feature = "std", feature = "libm"))]
-pub use assemble::{Assembled, Assembly, AssemblyReport, Met};
+pub use assemble::{Assembled, Assembly, AssemblyMode, AssemblyModes, AssemblyReport, Met};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use error::Error;
 #[cfg(any(feature = "std", feature = "libm"))]

@@ -2,6 +2,7 @@
 
 mod charts;
 mod initial;
+mod inputs;
 mod outputs;
 mod powers;
 mod reactions;

@@ -12,6 +12,9 @@ const MET: f64 = 8.0 * f64::EPSILON;
 pub(crate) const STALLED: f64 = 1e-12;
 /// Singular values below this fraction of the largest count as zero.
 const RANK: f64 = 1e-10;
+/// Full steps end where the residuals are below this fraction of their terms: the way down is short from there.
+const NEAR: f64 = 1e-3;
+const FULL_STEPS: usize = 60;
 const ITERATIONS: usize = 200;
 const HALVINGS: usize = 40;
 
@@ -52,6 +55,21 @@ pub(crate) fn newton(equations: &dyn Equations, y: &mut Vec<f64>, sizes: &mut [f
         (*y, r) = (next, residual);
     }
     r
+}
+
+/// Takes full steps of Newton's method, whether or not they make the residual smaller, until y is near a solution, or for so
+/// many steps: it leaves places where no small step makes the residual smaller, and may come near any solution.
+pub(crate) fn wander(equations: &dyn Equations, y: &mut [f64], sizes: &[f64]) {
+    for _ in 0..FULL_STEPS {
+        let r = equations.residual(y);
+        if worst(&r, sizes).1 <= NEAR {
+            break;
+        }
+        let Some(step) = shortest_step(&equations.jacobian(y), &equations.measure(y), &r, sizes) else {
+            break;
+        };
+        y.iter_mut().zip(step.iter()).for_each(|(y, delta)| *y += delta);
+    }
 }
 
 /// The largest residual relative to its terms, and its row. NaN counts as infinite.

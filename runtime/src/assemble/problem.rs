@@ -29,16 +29,16 @@ pub(super) struct Problem<'a, M: ConstrainedSystem> {
 
 /// An unknown of the equations.
 #[derive(Copy, Clone, PartialEq)]
-enum Unknown {
+pub(super) enum Unknown {
     State(usize),
     Parameter(usize),
 }
 
 /// What is solved at one level.
-struct Level<'a, 'b, M: ConstrainedSystem> {
+pub(super) struct Level<'a, 'b, M: ConstrainedSystem> {
     problem: &'a Problem<'b, M>,
     dual: Prepared<M, Dual>,
-    unknowns: Vec<Unknown>,
+    pub(super) unknowns: Vec<Unknown>,
     /// The entries of the state that this level would move, were they not fixed.
     fixed: Vec<usize>,
     rows: Rows,
@@ -74,9 +74,25 @@ impl<'b, M: ConstrainedSystem> Problem<'b, M> {
 
     /// Moves the coordinates, and the parameters that may change.
     pub(super) fn solve_positions(&mut self) -> Result<AssemblyReport, Error> {
+        let level = self.positions()?;
+        let mut y = level.guess();
+        let report = level.close(&mut y)?;
+        let (state, parameters) = level.point(&y);
+        drop(level);
+        self.move_to(state, parameters);
+        Ok(report)
+    }
+
+    /// The equations for the coordinates, and for the parameters that may change.
+    pub(super) fn positions(&self) -> Result<Level<'_, 'b, M>, Error> {
         let coordinates = 0..M::MODEL.state_coordinates.len();
         let names = M::MODEL.position_rows.to_vec();
-        self.solve(coordinates, true, Rows::Positions, names)
+        self.level(coordinates, true, Rows::Positions, names)
+    }
+
+    /// Goes on from another state and other parameters.
+    pub(super) fn move_to(&mut self, state: Vec<f64>, parameters: Vec<f64>) {
+        (self.state, self.parameters) = (state, parameters);
     }
 
     /// Moves the speeds, where something binds them.
@@ -93,16 +109,22 @@ impl<'b, M: ConstrainedSystem> Problem<'b, M> {
         {
             return Err(Error::ChartSingularity { guard, value, time: t });
         }
-        self.solve(speeds, false, Rows::Velocities(rows), names)
+        let level = self.level(speeds, false, Rows::Velocities(rows), names)?;
+        let mut y = level.guess();
+        let report = level.close(&mut y)?;
+        let (state, parameters) = level.point(&y);
+        drop(level);
+        self.move_to(state, parameters);
+        Ok(report)
     }
 
-    fn solve(
-        &mut self,
+    fn level(
+        &self,
         range: core::ops::Range<usize>,
         with_parameters: bool,
         rows: Rows,
         mut names: Vec<&'static str>,
-    ) -> Result<AssemblyReport, Error> {
+    ) -> Result<Level<'_, 'b, M>, Error> {
         let meetings = if with_parameters { &self.sorted.positions } else { &self.sorted.velocities };
         names.extend(meetings.iter().map(|meeting| meeting.name));
         let (fixed, free): (Vec<usize>, Vec<usize>) = range.partition(|at| self.sorted.fixed[*at]);
@@ -115,28 +137,33 @@ impl<'b, M: ConstrainedSystem> Problem<'b, M> {
             self.model.system().clone(),
             seeded::<M::Parameters<f64>, _>(&entries(&given), None),
         )?;
-        let level = Level { problem: self, dual, unknowns, fixed, rows, names, meetings };
-        let mut y: Vec<f64> = level.unknowns.iter().map(|unknown| level.given(*unknown)).collect();
-        let mut sizes = Vec::new();
-        let mut r = Vec::new();
-        for _ in 0..PASSES {
-            // Far from the solution the terms are large, and so is their rounding: what counts is their size at the solution.
-            sizes = level.sizes(&y)?;
-            r = newton(&level, &mut y, &mut sizes);
-        }
-        let report = level.report(&y, &r, &sizes);
-        let (row, ratio) = worst(&r, &sizes);
-        if ratio > STALLED {
-            return Err(Error::Assembly { constraint: level.names[row], residual: r[row], report: Box::new(report) });
-        }
-        let (state, parameters) = level.point(&y);
-        drop(level);
-        (self.state, self.parameters) = (state, parameters);
-        Ok(report)
+        Ok(Level { problem: self, dual, unknowns, fixed, rows, names, meetings })
     }
 }
 
 impl<M: ConstrainedSystem> Level<'_, '_, M> {
+    /// Moves y until all is met; y is the nearest point found where that fails.
+    pub(super) fn close(&self, y: &mut Vec<f64>) -> Result<AssemblyReport, Error> {
+        let mut sizes = Vec::new();
+        let mut r = Vec::new();
+        for _ in 0..PASSES {
+            // Far from the solution the terms are large, and so is their rounding: what counts is their size at the solution.
+            sizes = self.sizes(y)?;
+            r = newton(self, y, &mut sizes);
+        }
+        let report = self.report(y, &r, &sizes);
+        let (row, ratio) = worst(&r, &sizes);
+        if ratio > STALLED {
+            return Err(Error::Assembly { constraint: self.names[row], residual: r[row], report: Box::new(report) });
+        }
+        Ok(report)
+    }
+
+    /// The unknowns as they are given.
+    pub(super) fn guess(&self) -> Vec<f64> {
+        self.unknowns.iter().map(|unknown| self.given(*unknown)).collect()
+    }
+
     fn given(&self, unknown: Unknown) -> f64 {
         match unknown {
             Unknown::State(at) => self.problem.state[at],
@@ -145,7 +172,7 @@ impl<M: ConstrainedSystem> Level<'_, '_, M> {
     }
 
     /// The state and the parameters of y.
-    fn point(&self, y: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    pub(super) fn point(&self, y: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let (mut state, mut parameters) = (self.problem.state.clone(), self.problem.parameters.clone());
         for (unknown, value) in self.unknowns.iter().zip(y) {
             match unknown {
@@ -196,7 +223,7 @@ impl<M: ConstrainedSystem> Level<'_, '_, M> {
     }
 
     /// The size of each equation's terms.
-    fn sizes(&self, y: &[f64]) -> Result<Vec<f64>, Error> {
+    pub(super) fn sizes(&self, y: &[f64]) -> Result<Vec<f64>, Error> {
         let (state, parameters) = self.point(y);
         let parameters = M::Parameters::from_fn(|i| parameters[i]);
         let model = Prepared::with_parameters(self.problem.model.system().clone(), parameters)?;

@@ -125,6 +125,11 @@ pub(crate) fn least_squares(j: DMatrix<f64>, r: &DVector<f64>, threshold: f64) -
     jacobi::null_space(j, threshold).inverse * r
 }
 
+/// Orthonormal rows z with J z = 0; singular values below `threshold` times the largest count as zero.
+pub(crate) fn null_directions(j: DMatrix<f64>, threshold: f64) -> DMatrix<f64> {
+    jacobi::null_space(j, threshold).complement
+}
+
 /// C with rows whose largest entry is near one, and the powers of two by which they were multiplied.
 pub(super) fn scale_rows(c: &DMatrix<f64>) -> (DMatrix<f64>, Vec<f64>) {
     let scales: Vec<f64> = c.row_iter().map(|row| unit_scale(row.amax())).collect();

@@ -238,7 +238,8 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
     ///
     /// The adaptive methods expect smooth inputs: where they jump at known times use [`sampled`](Simulation::sampled), where they
     /// jump by the state an [`Event`] that stops the run, and start again after it. Inputs that are zero for a while may be stepped
-    /// over: bound the steps by [`max_step`](Simulation::max_step).
+    /// over: bound the steps by [`max_step`](Simulation::max_step). [`Prepared::inputs_for`](crate::Prepared::inputs_for) gives those
+    /// under which a motion goes as wanted.
     #[must_use]
     pub fn inputs<F>(self, source: F) -> Simulation<'a, M, F>
     where
