@@ -5,7 +5,7 @@ mod loops;
 mod support;
 
 use holonomy::prelude::*;
-use loops::{CrankAndSlider, FourBarOfRods, Squeezer};
+use loops::{CrankAndSlider, CrankAndSliderState, FourBarOfRods, Squeezer};
 use support::andrews::andrews;
 use support::golden::{assert_close, assert_close_at, case, from_json, list, numbers, parse, picked};
 use support::running::Running;
@@ -91,5 +91,44 @@ fn slider_crank_of_equal_lengths() {
         assert_close("accelerations", &crank.velocity_rates(0.0, &y), &[turn, turn, slide], tolerance);
         let reaction = numbers(&row["generalised_reaction"]);
         assert_close("Cᵀ λ", crank.reaction(0.0, &y).as_slice(), &reaction, tolerance);
+    }
+}
+
+/// The same in motion: through the positions in which crank and rod stand on top of each other, where its branches meet, forwards,
+/// backwards in time, and with the speed reversed; at the instant of the first passage too.
+#[test]
+fn slider_crank_of_equal_lengths_through_its_crossings() {
+    let golden = parse(include_str!("data/slider_crank_equal.json"));
+    let model = from_json!(golden["parameters"], CrankAndSlider { l: "l", m1: "m1", m2: "m2", m3: "m3", g: "g" });
+    let model = model.prepare().expect("the parameters are good");
+    let rows = list(&case(&golden, "smooth_branch")["expected"]);
+    let figure = |row: &serde_json::Value, name: &str| numbers(&row[name])[0];
+    let start = |row, sign: f64| CrankAndSliderState {
+        alpha: figure(row, "alpha"),
+        beta: figure(row, "beta"),
+        x: figure(row, "x"),
+        dot_alpha: sign * figure(row, "alpha_rate"),
+    };
+    let (first, last) = (&rows[0], &rows[rows.len() - 1]);
+    let end = figure(last, "t");
+    for (name, from, to, row, sign) in
+        [("forwards", 0.0, end, first, 1.0), ("backwards", end, 0.0, last, 1.0), ("reversed", -end, 0.0, last, -1.0)]
+    {
+        let run = model.simulate(start(row, sign)).starting_at(from).tolerance(1e-12, 1e-12);
+        let run = run.until(to).unwrap_or_else(|stopped| panic!("{name}: {stopped}"));
+        // From α = 0.5 to 24: past π/2, 3π/2, …, 15π/2.
+        assert_eq!(run.statistics().crossings, 8, "{name}: {:?}", run.statistics());
+        let mut worst = 0.0_f64;
+        for row in rows {
+            let t = sign * figure(row, "t");
+            let (s, v) = (run.at(t).expect("within"), run.velocities_at(t).expect("within"));
+            let found = [s.alpha, s.beta, s.x, sign * v.dot_alpha, sign * v.dot_x];
+            let expected = ["alpha", "beta", "x", "alpha_rate", "x_rate"].map(|name| figure(row, name));
+            let errors = found.iter().zip(expected).map(|(found, expected)| (found - expected).abs());
+            let error = errors.fold(0.0, f64::max);
+            assert!(error < 1e-8, "{name} at {t}: {error:e}");
+            worst = worst.max(error);
+        }
+        println!("{name}: {worst:.1e}, {:?}", run.statistics());
     }
 }

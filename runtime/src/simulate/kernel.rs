@@ -10,6 +10,10 @@ use super::tableau::Tableau;
 use super::trajectory::Trajectory;
 use crate::{ConstrainedSystem, Error};
 
+mod leap;
+
+pub(super) use leap::Leap;
+
 /// Times that differ by less than this part of a step are the same.
 const SAME_TIME: f64 = 1e-12;
 /// A step is lengthened to reach the end if less than this part of it would remain.
@@ -85,6 +89,10 @@ pub(super) enum Exit {
     Event(Verdict),
     /// Another chart is better.
     Leaves,
+    /// A loss of rank is near.
+    Nears,
+    /// A loss of rank was passed.
+    Passed,
 }
 
 /// A run on its way: what is carried over from one flow to the next.
@@ -98,6 +106,8 @@ pub(super) struct Run<'r, 'a, M: ConstrainedSystem, const S: usize> {
     /// Where steps must end.
     pub(super) barrier: f64,
     pub(super) events: Events<'a, M>,
+    /// Whether a loss of rank came near in the last step.
+    pub(super) nearing: bool,
     controller: Controller,
     /// The size of the next step, once there is one.
     size: Option<f64>,
@@ -125,6 +135,7 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
             t,
             barrier,
             events,
+            nearing: false,
             controller,
             size: None,
             since,
@@ -138,6 +149,12 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
         self.since = (self.t, 0);
         self.size = None;
         self.controller = Controller::new(self.tableau);
+    }
+
+    /// The size of the step that would come next, or a small part of the run.
+    pub(super) fn size(&self) -> f64 {
+        let small = 1e-4 * (self.plan.end - self.plan.start).abs();
+        self.size.map_or(small, |size| size.min(small))
     }
 
     /// Takes the steps to the end of the plan, or until the chart is to be changed. `y` is the last accepted point, also when it
@@ -241,8 +258,16 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
             if let Some(verdict) = cut {
                 return Ok(Exit::Event(verdict));
             }
-            if next != self.barrier && guards.is_some_and(|guards| flow.leaves(next, y, &guards)) {
-                return Ok(Exit::Leaves);
+            if let Some(guards) = guards
+                && next != plan.end
+            {
+                self.nearing = flow.nears(next, y, &guards);
+                if next != self.barrier && self.nearing {
+                    return Ok(Exit::Nears);
+                }
+                if next != self.barrier && flow.leaves(next, y, &guards) {
+                    return Ok(Exit::Leaves);
+                }
             }
         }
         Ok(Exit::Barrier)
@@ -277,11 +302,12 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
         (from, next, h): (f64, f64, f64),
         coefficients: &[F::Point],
     ) -> Result<Option<(f64, F::Point, Verdict)>, Error> {
-        // The end of a step is its end, whatever its length was rounded to.
-        let time = |theta: f64| if theta >= 1.0 { next } else { from + theta * h };
+        // The end of a step is its end, whatever its length was rounded to. A step that was cut is searched up to there.
+        let part = (next - from) / h;
+        let time = |theta: f64| if theta >= 1.0 { next } else { from + theta * (next - from) };
         let zeros = self.events.within(|theta| {
             let t = time(theta);
-            (t, flow.view(t, &within(coefficients, theta)).0)
+            (t, flow.view(t, &within(coefficients, theta * part)).0)
         });
         let mut cut: Option<(f64, F::Point, Verdict)> = None;
         let mut last = f64::INFINITY;
@@ -290,7 +316,7 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
             if zero.theta > last {
                 break;
             }
-            let mut point = within(coefficients, zero.theta);
+            let mut point = within(coefficients, zero.theta * part);
             let t = time(zero.theta);
             flow.restore(t, &mut point)?;
             let occurrence = self.events.occurrence(zero, t, flow.view(t, &point).0);

@@ -39,9 +39,8 @@ pub struct Trajectory<M: ConstrainedSystem> {
     states: Vec<M::State<f64>>,
     velocities: Vec<M::Velocities<f64>>,
     steps: Vec<Step>,
-    /// For every step `stride` points of its chart, entry by entry.
+    /// For every step its coefficients, entry by entry.
     coefficients: Vec<f64>,
-    stride: usize,
     residuals: Residuals,
     counts: Vec<(Chart, usize)>,
     events: Vec<Occurrence<M::State<f64>>>,
@@ -57,6 +56,8 @@ struct Step {
     chart: Chart,
     /// Where its coefficients begin.
     first: usize,
+    /// The number of points of its chart that are its coefficients.
+    stride: usize,
 }
 
 /// What a run took.
@@ -71,6 +72,8 @@ pub struct Statistics {
     pub evaluations: usize,
     /// How often the run went over to another chart.
     pub chart_changes: usize,
+    /// How often the run passed a point where constraints lose their rank; see [`Crossing`](super::Crossing).
+    pub crossings: usize,
 }
 
 /// The most Gauss-Newton steps to speeds on which v depends nonlinearly.
@@ -104,7 +107,6 @@ impl<M: ConstrainedSystem> Trajectory<M> {
             velocities: alloc::vec![v],
             steps: Vec::new(),
             coefficients: Vec::new(),
-            stride: 0,
             residuals: Residuals::default(),
             counts: Vec::new(),
             events: Vec::new(),
@@ -119,8 +121,7 @@ impl<M: ConstrainedSystem> Trajectory<M> {
     }
 
     pub(super) fn push_step<P: Point>(&mut self, (start, length): (f64, f64), chart: Chart, coefficients: &[P]) {
-        self.stride = coefficients.len();
-        self.steps.push(Step { start, length, chart, first: self.coefficients.len() });
+        self.steps.push(Step { start, length, chart, first: self.coefficients.len(), stride: coefficients.len() });
         for point in coefficients {
             self.coefficients.extend((0..point.len()).map(|i| point.get(i)));
         }
@@ -257,9 +258,9 @@ impl<M: ConstrainedSystem> Trajectory<M> {
         };
         let first = M::MODEL.state_coordinates.len();
         let length = first + carriers.count::<M>();
-        let coefficients = &self.coefficients[step.first..step.first + self.stride * length];
+        let coefficients = &self.coefficients[step.first..step.first + step.stride * length];
         let theta = (t - step.start) / step.length;
-        let entry = |i: usize| interpolate(self.stride, theta, |j| coefficients[j * length + i]);
+        let entry = |i: usize| interpolate(step.stride, theta, |j| coefficients[j * length + i]);
         let s = M::State::from_fn(|i| if i < length { entry(i) } else { 0.0 });
         let v = carriers.velocities(&self.model, t, &s, |i| entry(first + i));
         match step.chart {
@@ -278,7 +279,6 @@ impl<M: ConstrainedSystem> Clone for Trajectory<M> {
             velocities: self.velocities.clone(),
             steps: self.steps.clone(),
             coefficients: self.coefficients.clone(),
-            stride: self.stride,
             residuals: self.residuals,
             counts: self.counts.clone(),
             events: self.events.clone(),
