@@ -4,6 +4,7 @@
 mod loops;
 mod support;
 
+use holonomy::Error;
 use holonomy::prelude::*;
 use loops::{CrankAndSlider, CrankAndSliderState, FourBarOfRods, Squeezer};
 use support::andrews::andrews;
@@ -118,7 +119,7 @@ fn slider_crank_of_equal_lengths_through_its_crossings() {
         let run = run.until(to).unwrap_or_else(|stopped| panic!("{name}: {stopped}"));
         // From α = 0.5 to 24: past π/2, 3π/2, …, 15π/2.
         assert_eq!(run.statistics().crossings, 8, "{name}: {:?}", run.statistics());
-        let mut worst = 0.0_f64;
+        let (mut worst, mut reaction) = (0.0_f64, 0.0_f64);
         for row in rows {
             let t = sign * figure(row, "t");
             let (s, v) = (run.at(t).expect("within"), run.velocities_at(t).expect("within"));
@@ -128,7 +129,21 @@ fn slider_crank_of_equal_lengths_through_its_crossings() {
             let error = errors.fold(0.0, f64::max);
             assert!(error < 1e-8, "{name} at {t}: {error:e}");
             worst = worst.max(error);
+            // Reactions have a limit at the crossing, but C alone does not tell them there.
+            let reactions = run.multipliers_at(t, &[]);
+            match row["singular"].is_null() {
+                true => {
+                    let reactions = reactions.expect("regular");
+                    let [x, y] = [reactions.closure_x, reactions.closure_y];
+                    let lam = numbers(&row["lam"]);
+                    reaction = reaction.max((x - lam[0]).abs().max((y - lam[1]).abs()));
+                }
+                false => {
+                    assert!(matches!(reactions, Err(Error::Dependent { value, .. }) if value < 1e-3), "{reactions:?}")
+                }
+            }
         }
-        println!("{name}: {worst:.1e}, {:?}", run.statistics());
+        assert!(reaction < 1e-8, "{name}: {reaction:e}");
+        println!("{name}: {worst:.1e}, reactions {reaction:.1e}, {:?}", run.statistics());
     }
 }

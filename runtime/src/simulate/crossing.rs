@@ -12,7 +12,7 @@ use super::general::{General, GeneralPoint, point};
 use super::guards::{Watch, figures};
 use super::inputs::InputSource;
 use super::kernel::{Exit, Run};
-use super::passage::{self, From, Passage};
+use super::passage::{self, Passage, Standpoint};
 use super::trajectory::Standing;
 use crate::carriers::Carriers;
 use crate::drift::Drift;
@@ -198,8 +198,8 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
         equations.strength = self.strength.clone().unwrap_or(equations.strength);
         let x = model.coordinates(t, &s);
         let (mut y, from) = match self.inside.take() {
-            Some(inside) => (inside.y, From::Within(inside.slope, inside.length)),
-            None => (point::<M>(&s, equations.carriers(model, t, &s, &v)), From::Regular(run.size())),
+            Some(inside) => (inside.y, Standpoint::Within(inside.slope, inside.length)),
+            None => (point::<M>(&s, equations.carriers(model, t, &s, &v)), Standpoint::Regular(run.size())),
         };
         let mut drift = Drift::new(model, Carriers::General, t, &x, &v)?;
         drift.iter_mut().for_each(|drift| drift.thorough = true);
@@ -230,7 +230,8 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
         };
         flow.untouched = Some(untouched);
         let (part, exit) = run.leap(&mut flow, &mut y, &leap)?;
-        run.trajectory.statistics.crossings += losses.iter().filter(|theta| **theta < part).count();
+        let passed = losses.iter().filter(|theta| **theta < part).count();
+        run.trajectory.pass(untouched, flow.equations.strength.clone(), passed);
         *standing = flow.view(run.t, &y);
         self.approach.last = 0.0;
         self.approach.bound = NEAR;

@@ -12,8 +12,7 @@ use super::trajectory::view;
 use crate::carriers::StateArray;
 use crate::drift::Drift;
 use crate::manifold::Manifold;
-use crate::vector::convert;
-use crate::{ConstrainedSystem, Dual, Error, Prepared, Vector};
+use crate::{ConstrainedSystem, Error, Prepared, Vector};
 
 /// A smallest pivot of C below this fraction of its largest value may have magnified rounding errors: with its square in the
 /// velocities, with its cube in their rates, where the rows are those of positions.
@@ -93,43 +92,29 @@ impl<M: ConstrainedSystem, I: InputSource<M>> General<'_, M, I> {
     }
 
     /// A first guess of the point a while later, of second order in the coordinates: with the velocities of half the time.
-    pub(super) fn guess(&self, t: f64, y: &GeneralPoint<M>, rate: &GeneralPoint<M>, while_: f64) -> GeneralPoint<M> {
+    pub(super) fn guess(&self, t: f64, y: &GeneralPoint<M>, rate: &GeneralPoint<M>, later: f64) -> GeneralPoint<M> {
         let after = |part: f64| {
-            let w = |i: usize| y.carriers.as_ref()[i] + part * while_ * rate.carriers.as_ref()[i];
+            let w = |i: usize| y.carriers.as_ref()[i] + part * later * rate.carriers.as_ref()[i];
             M::Carriers::from_fn(w)
         };
         let rates = self.model.carried_rates(t, &y.state.into(), &after(0.5)).into();
         let mut ahead = *y;
         for (q, rate) in ahead.state.as_mut().iter_mut().zip(rates.as_ref()) {
-            *q += while_ * rate;
+            *q += later * rate;
         }
         ahead.carriers = after(1.0).into();
         ahead
     }
 
-    /// The kinetic and the potential energy of a point, and the rate of their sum along a rate of the point; none, where the model
-    /// has no potential energy, or where it does not rest at w = 0.
-    pub(super) fn energies(
-        &self,
-        dual: &Prepared<M, Dual>,
-        t: f64,
-        y: &GeneralPoint<M>,
-        rate: &GeneralPoint<M>,
-    ) -> Option<(f64, f64, f64)> {
-        let first = y.first;
+    /// The kinetic and the potential energy of a point; none, where the model has no potential energy, or moves at w = 0.
+    pub(super) fn energies(&self, t: f64, y: &GeneralPoint<M>) -> Option<(f64, f64)> {
         let s: M::State<f64> = y.state.into();
         let at_rest = self.model.carried_velocities(t, &s, &M::Carriers::from_fn(|_| 0.0)).into();
         if at_rest.as_ref().iter().any(|v| *v != 0.0) {
             return None;
         }
-        let along = |i: usize| if i < first { rate.state.as_ref()[i] } else { 0.0 };
-        let moving = convert(&s, |i, value| Dual::new(value, along(i)));
-        let w = M::Carriers::from_fn(|i| Dual::new(y.carriers.as_ref()[i], rate.carriers.as_ref()[i]));
-        let time = Dual::variable(t);
-        let v = M::carried_velocities(dual.values(), time, &moving, &w);
-        let x = dual.coordinates(time, &moving);
-        let (kinetic, potential) = (dual.kinetic_energy(time, &x, &v), dual.potential_energy(time, &x)?);
-        Some((kinetic.value, potential.value, kinetic.derivative + potential.derivative))
+        let (x, v) = (self.model.coordinates(t, &s), self.velocities(t, y));
+        Some((self.model.kinetic_energy(t, &x, &v), self.model.potential_energy(t, &x)?))
     }
 
     fn velocities(&self, t: f64, y: &GeneralPoint<M>) -> M::Velocities<f64> {

@@ -21,7 +21,7 @@ use super::kernel::Leap;
 use super::points::{Place, Points, rate};
 use crate::ConstrainedSystem;
 use crate::error::Obstacle;
-use crate::manifold::{ROUNDING, lift};
+use crate::manifold::ROUNDING;
 
 /// Points of the step.
 pub(super) const POINTS: usize = 10;
@@ -42,12 +42,12 @@ const PROBE: f64 = 0.01;
 const WORN: f64 = 0.01;
 /// Where less than `WORN` is left at the start, this relative error is the least that can be asked for.
 const COARSEST: f64 = 1e-8;
-/// Where the power changes the energy by less than this part of it, the energy is kept.
-const NO_POWER: f64 = 1e-10;
+/// Where the energy changes along the step by less than this part of the kinetic energy, it is kept.
+const KEPT: f64 = 1e-10;
 
 /// What is known where a passage is looked for.
 #[derive(Copy, Clone)]
-pub(super) enum From<P> {
+pub(super) enum Standpoint<P> {
     /// A regular point; the size of the next step.
     Regular(f64),
     /// A point so near to the loss of rank that its rate cannot be computed: the rate by the polynomial that led there, and the
@@ -60,7 +60,7 @@ pub(super) struct Passage<P> {
     pub(super) leap: Leap<P>,
     /// Where the rank is lost, as parts of the step.
     pub(super) losses: Vec<f64>,
-    /// Times between which points are not to be restored.
+    /// Times between which points are not to be restored, about the loss of rank.
     pub(super) untouched: (f64, f64),
     /// The rate by the polynomial.
     pub(super) kappa: Vec<P>,
@@ -70,14 +70,14 @@ pub(super) struct Passage<P> {
 pub(super) fn find<M: ConstrainedSystem, I: InputSource<M>>(
     flow: &mut General<'_, M, I>,
     (t, y): (f64, &GeneralPoint<M>),
-    from: From<GeneralPoint<M>>,
+    from: Standpoint<GeneralPoint<M>>,
     direction: f64,
     tolerance: Tolerance,
 ) -> Result<Option<Passage<GeneralPoint<M>>>, Obstacle> {
     let search = Search { gauss: &Gauss::new(POINTS), t, y, tolerance };
     let size = match from {
-        From::Within(rate, length) => return search.step(flow, &rate, length, Place::Anywhere, false).map(Some),
-        From::Regular(size) => size,
+        Standpoint::Within(rate, length) => return search.step(flow, &rate, length, Place::Anywhere, false).map(Some),
+        Standpoint::Regular(size) => size,
     };
     let (rate, left) = rate(flow, t, y)?;
     let probe = direction * PROBE * size;
@@ -197,7 +197,7 @@ impl<M: ConstrainedSystem> Search<'_, M> {
     }
 }
 
-/// Gives the end of the step the energy of its start, where the rates at the outer points, which are the most exact, keep it.
+/// Gives the end of the step the energy of its start, where the outer points, which are the most exact, have it.
 fn keep_energy<M: ConstrainedSystem, I: InputSource<M>>(
     flow: &General<'_, M, I>,
     (t, y): (f64, &GeneralPoint<M>),
@@ -208,22 +208,20 @@ fn keep_energy<M: ConstrainedSystem, I: InputSource<M>>(
     if I::GIVEN {
         return;
     }
-    let Ok(dual) = lift(flow.model) else { return };
-    let h = points.length;
-    for i in [0, 1, POINTS - 2, POINTS - 1] {
-        let time = t + gauss.points[i] * h;
-        match flow.energies(&dual, time, &points.at[i], &points.rates[i]) {
-            Some((kinetic, _, power)) if (h * power).abs() <= NO_POWER * kinetic => {}
-            _ => return,
-        }
+    let Some((kinetic, potential)) = flow.energies(t, y) else { return };
+    let all = kinetic + potential;
+    let is_kept = |i: usize| {
+        let found = flow.energies(t + gauss.points[i] * points.length, &points.at[i]);
+        found.is_some_and(|(moving, at)| (moving + at - all).abs() <= KEPT * moving)
+    };
+    if ![0, 1, POINTS - 2, POINTS - 1].into_iter().all(is_kept) {
+        return;
     }
-    let energy = |time: f64, y: &GeneralPoint<M>| flow.energies(&dual, time, y, y);
-    let Some((kinetic, potential, _)) = energy(t, y) else { return };
     let mut scaled = *ahead;
     for _ in 0..3 {
-        let Some((moving, at, _)) = energy(t + h, &scaled) else { return };
-        let factor = 1.0 + (kinetic + potential - moving - at) / (2.0 * moving);
-        // The velocities are right but for rounding.
+        let Some((moving, at)) = flow.energies(t + points.length, &scaled) else { return };
+        // T is a square form of the velocities. Those are right but for rounding.
+        let factor = 1.0 + (all - moving - at) / (2.0 * moving);
         if (factor - 1.0).abs() < COARSEST {
             scaled.scale_carriers(factor);
         } else {
@@ -243,10 +241,10 @@ fn towards<P: Point>(from: &P, to: &P, part: f64) -> P {
 }
 
 /// y + τ k.
-fn moved<P: Point>(y: &P, while_: f64, rate: &P) -> P {
+fn moved<P: Point>(y: &P, later: f64, rate: &P) -> P {
     let mut point = *y;
     for i in 0..point.len() {
-        *point.get_mut(i) += while_ * rate.get(i);
+        *point.get_mut(i) += later * rate.get(i);
     }
     point
 }

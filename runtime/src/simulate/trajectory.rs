@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use super::charts::Chart;
+use super::equations::Strength;
 use super::events::Occurrence;
 use super::flow::Point;
 use super::readings::Residuals;
@@ -44,6 +45,9 @@ pub struct Trajectory<M: ConstrainedSystem> {
     residuals: Residuals,
     counts: Vec<(Chart, usize)>,
     events: Vec<Occurrence<M::State<f64>>>,
+    /// Where branches met: times between which so little was left of the rank that nothing was restored, and how strong the rows of C
+    /// were at best.
+    meetings: Vec<(f64, f64, Strength)>,
     pub(super) statistics: Statistics,
 }
 
@@ -110,6 +114,7 @@ impl<M: ConstrainedSystem> Trajectory<M> {
             residuals: Residuals::default(),
             counts: Vec::new(),
             events: Vec::new(),
+            meetings: Vec::new(),
             statistics: Statistics::default(),
         }
     }
@@ -136,6 +141,18 @@ impl<M: ConstrainedSystem> Trajectory<M> {
             Some((_, count)) => *count += 1,
             None => self.counts.push((chart, 1)),
         }
+    }
+
+    /// Counts losses of rank that were passed, and remembers where.
+    pub(super) fn pass(&mut self, (from, to): (f64, f64), strength: Strength, losses: usize) {
+        self.statistics.crossings += losses;
+        self.meetings.push((from, to, strength));
+    }
+
+    /// Where the rank is as good as lost at a time, in the inner tenth of where nothing was restored, what the rows were at best.
+    pub(super) fn meeting(&self, t: f64) -> Option<&Strength> {
+        let is_within = |from: f64, to: f64| (t - 0.5 * (from + to)).abs() <= 0.05 * (to - from);
+        self.meetings.iter().find(|(from, to, _)| is_within(*from, *to)).map(|(_, _, strength)| strength)
     }
 
     pub(super) fn record(&mut self, occurrence: Occurrence<M::State<f64>>) {
@@ -282,6 +299,7 @@ impl<M: ConstrainedSystem> Clone for Trajectory<M> {
             residuals: self.residuals,
             counts: self.counts.clone(),
             events: self.events.clone(),
+            meetings: self.meetings.clone(),
             statistics: self.statistics,
         }
     }
