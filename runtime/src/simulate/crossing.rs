@@ -13,6 +13,7 @@ use super::guards::{Watch, figures};
 use super::inputs::InputSource;
 use super::kernel::{Exit, Run};
 use super::passage::{self, Passage, Standpoint};
+use super::points::Sense;
 use super::trajectory::Standing;
 use crate::carriers::Carriers;
 use crate::drift::Drift;
@@ -26,6 +27,8 @@ const NEAR: f64 = 0.3;
 const NEARER: f64 = 0.6;
 /// Inside of a passage that was cut short a run goes on by ordinary steps where more than this is left.
 const CLEAR: f64 = 0.1;
+/// Steps are shortened at most so often before a passage.
+const RETRIES: usize = 24;
 /// A passage is found to this relative accuracy at least, or it is none: another branch would be as far away as its tangent tells.
 const PASSAGE: f64 = 1e-6;
 
@@ -79,6 +82,10 @@ pub(super) struct Approach<M: ConstrainedSystem> {
     last: f64,
     /// Below this a passage is looked for.
     bound: f64,
+    /// How often steps were shortened since the last passage because one did not come to its end.
+    retries: usize,
+    /// Why, if nothing came of it yet.
+    refused: Option<Error>,
     /// For points of emitted charts, whose rows nobody else looks at.
     equations: Option<Equations<M>>,
     /// The strength of the rows that these start from.
@@ -87,7 +94,7 @@ pub(super) struct Approach<M: ConstrainedSystem> {
 
 impl<M: ConstrainedSystem> Default for Approach<M> {
     fn default() -> Self {
-        Approach { last: f64::INFINITY, bound: NEAR, equations: None, strength: None }
+        Approach { last: f64::INFINITY, bound: NEAR, retries: 0, refused: None, equations: None, strength: None }
     }
 }
 
@@ -133,6 +140,7 @@ pub(super) struct Inside<M: ConstrainedSystem> {
     y: GeneralPoint<M>,
     slope: GeneralPoint<M>,
     length: f64,
+    start: Sense,
 }
 
 impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
@@ -163,15 +171,31 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
         }
         match self.leg(chart, run, quality, standing) {
             Err(error @ (Error::Dependent { .. } | Error::Projection { .. })) if self.passes() => {
-                match self.pass(run, standing)? {
-                    Ok(exit) => Ok(exit),
-                    Err(obstacle) => match (obstacle, error) {
-                        (Some(obstacle), Error::Dependent { rows, guard, time, .. }) => {
-                            Err(Error::Impassable { rows, guard, obstacle, time: time.unwrap_or(run.t) })
-                        }
-                        (_, error) => Err(error),
-                    },
+                let obstacle = match self.pass(run, standing)? {
+                    Ok(exit) => return Ok(exit),
+                    Err(obstacle) => obstacle,
+                };
+                // A step may have leapt over the crossing from afar: shorter ones come near it.
+                let is_leap = !matches!(&error, Error::Dependent { value, .. } if *value > 0.0);
+                self.approach.retries += 1;
+                let retries = is_leap && self.approach.retries <= RETRIES;
+                let error = match (obstacle, error) {
+                    (Some(obstacle), Error::Dependent { rows, guard, time, .. }) => {
+                        Error::Impassable { rows, guard, obstacle, time: time.unwrap_or(run.t) }
+                    }
+                    (_, error) => error,
+                };
+                if retries && run.shorten() {
+                    self.approach.refused = Some(error);
+                    return Ok(Exit::Nears);
                 }
+                Err(error)
+            }
+            // What steps were shortened for is nearer to the cause than that they became too short.
+            Err(error @ Error::StepTooSmall { .. }) => Err(self.approach.refused.take().unwrap_or(error)),
+            Ok(exit) => {
+                self.approach.refused = None;
+                Ok(exit)
             }
             other => other,
         }
@@ -198,7 +222,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
         equations.strength = self.strength.clone().unwrap_or(equations.strength);
         let x = model.coordinates(t, &s);
         let (mut y, from) = match self.inside.take() {
-            Some(inside) => (inside.y, Standpoint::Within(inside.slope, inside.length)),
+            Some(inside) => (inside.y, Standpoint::Within(inside.slope, inside.length, inside.start)),
             None => (point::<M>(&s, equations.carriers(model, t, &s, &v)), Standpoint::Regular(run.size())),
         };
         let mut drift = Drift::new(model, Carriers::General, t, &x, &v)?;
@@ -223,7 +247,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
         };
         let found = passage::find(&mut flow, (t, &y), from, run.plan.direction(), tolerance);
         run.trajectory.statistics.evaluations += core::mem::take(&mut flow.equations.solved);
-        let Passage { leap, losses, untouched, kappa } = match found {
+        let Passage { leap, losses, untouched, kappa, mut start } = match found {
             Ok(Some(passage)) => passage,
             Ok(None) => return Ok(Err(None)),
             Err(obstacle) => return Ok(Err(Some(obstacle))),
@@ -233,13 +257,13 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
         let passed = losses.iter().filter(|theta| **theta < part).count();
         run.trajectory.pass(untouched, flow.equations.strength.clone(), passed);
         *standing = flow.view(run.t, &y);
-        self.approach.last = 0.0;
-        self.approach.bound = NEAR;
+        (self.approach.last, self.approach.bound, self.approach.retries) = (0.0, NEAR, 0);
         let goes_on = run.t != run.plan.end && !matches!(exit, Exit::Event(_) | Exit::Passed);
         if goes_on {
             let _ = flow.rate(run.t, &y);
             if flow.failure.is_some() || flow.equations.rank_left() < CLEAR {
-                self.inside = Some(Inside { y, slope: slope(&kappa, part), length: leap.length });
+                start.turned ^= passed % 2 == 1;
+                self.inside = Some(Inside { y, slope: slope(&kappa, part), length: leap.length, start });
             } else {
                 // It may still lie ahead.
                 self.approach.last = f64::INFINITY;

@@ -184,9 +184,14 @@ impl<M: ConstrainedSystem> Equations<M> {
         self.tangent.least
     }
 
-    /// The rows at the last point, to be compared with those of the next, and whether they have turned over since `before`.
-    pub(super) fn turned(&self, before: Option<&Span>) -> (bool, Span) {
-        (before.is_some_and(|before| self.tangent.compare(before).0 < 0.0), self.tangent.span())
+    /// The rows at the last point, to be compared with those of others.
+    pub(super) fn span(&self) -> Span {
+        self.tangent.span()
+    }
+
+    /// Whether the rows have turned over since they were these.
+    pub(super) fn is_turned(&self, before: &Span) -> bool {
+        self.tangent.compare(before).0 < 0.0
     }
 
     fn pivot_left(&self) -> f64 {

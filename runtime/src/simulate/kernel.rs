@@ -157,6 +157,15 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
         self.size.map_or(small, |size| size.min(small))
     }
 
+    /// Halves the size of the next step, where the method may choose it.
+    pub(super) fn shorten(&mut self) -> bool {
+        let adaptive = matches!(self.plan.pace, Pace::Adaptive { .. });
+        if adaptive {
+            self.size = Some(self.size.map_or(self.size(), |size| 0.5 * size));
+        }
+        adaptive
+    }
+
     /// Takes the steps to the end of the plan, or until the chart is to be changed. `y` is the last accepted point, also when it
     /// ends with an error.
     #[inline(never)]

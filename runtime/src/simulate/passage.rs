@@ -18,7 +18,7 @@ use super::flow::{Flow, Point};
 use super::general::{General, GeneralPoint};
 use super::inputs::InputSource;
 use super::kernel::Leap;
-use super::points::{Place, Points, rate};
+use super::points::{Place, Points, Sense, rate};
 use crate::ConstrainedSystem;
 use crate::error::Obstacle;
 use crate::manifold::ROUNDING;
@@ -46,13 +46,12 @@ const COARSEST: f64 = 1e-8;
 const KEPT: f64 = 1e-10;
 
 /// What is known where a passage is looked for.
-#[derive(Copy, Clone)]
 pub(super) enum Standpoint<P> {
     /// A regular point; the size of the next step.
     Regular(f64),
     /// A point so near to the loss of rank that its rate cannot be computed: the rate by the polynomial that led there, and the
-    /// length of its step.
-    Within(P, f64),
+    /// length of its step; the rows where it began.
+    Within(P, f64, Sense),
 }
 
 /// A step through a loss of rank.
@@ -64,6 +63,8 @@ pub(super) struct Passage<P> {
     pub(super) untouched: (f64, f64),
     /// The rate by the polynomial.
     pub(super) kappa: Vec<P>,
+    /// The rows where it began.
+    pub(super) start: Sense,
 }
 
 /// Looks for a step through the loss of rank that is ahead; none, where the rank is not being lost.
@@ -74,12 +75,17 @@ pub(super) fn find<M: ConstrainedSystem, I: InputSource<M>>(
     direction: f64,
     tolerance: Tolerance,
 ) -> Result<Option<Passage<GeneralPoint<M>>>, Obstacle> {
-    let search = Search { gauss: &Gauss::new(POINTS), t, y, tolerance };
+    let gauss = &Gauss::new(POINTS);
     let size = match from {
-        Standpoint::Within(rate, length) => return search.step(flow, &rate, length, Place::Anywhere, false).map(Some),
+        Standpoint::Within(rate, length, start) => {
+            let search = Search { gauss, t, y, tolerance, start };
+            return search.step(flow, &rate, length, Place::Anywhere, false).map(Some);
+        }
         Standpoint::Regular(size) => size,
     };
     let (rate, left) = rate(flow, t, y)?;
+    let start = Sense { span: flow.equations.span(), turned: false };
+    let search = Search { gauss, t, y, tolerance, start };
     let probe = direction * PROBE * size;
     let (_, beside) = self::rate(flow, t + probe, &moved(y, probe, &rate))?;
     let fall = (left - beside) / probe.abs();
@@ -102,6 +108,7 @@ struct Search<'s, M: ConstrainedSystem> {
     t: f64,
     y: &'s GeneralPoint<M>,
     tolerance: Tolerance,
+    start: Sense,
 }
 
 impl<M: ConstrainedSystem> Search<'_, M> {
@@ -119,7 +126,7 @@ impl<M: ConstrainedSystem> Search<'_, M> {
         let (mut moves, mut last) = (0, f64::INFINITY);
         let (mut settled, mut mean) = (0, Vec::new());
         for _ in 0..SWEEPS {
-            points.sweep(flow, gauss, self.t)?;
+            points.sweep(flow, gauss, self.t, &self.start)?;
             let length = points.better_length(gauss, place);
             if moves < MOVES && length != points.length {
                 (moves, last) = (moves + 1, f64::INFINITY);
@@ -182,8 +189,9 @@ impl<M: ConstrainedSystem> Search<'_, M> {
         }
         keep_energy(flow, (t, y), &points, gauss, &mut ahead);
         let place = points.place(gauss);
-        let gaps = (1..POINTS).filter(|i| points.turned[*i]);
-        let losses = gaps.map(|i| place.clamp(gauss.points[i - 1], gauss.points[i])).collect();
+        let ends = [0.0].iter().chain(&gauss.points).zip(&gauss.points);
+        let lost = ends.zip(&points.turned).filter(|(_, turned)| **turned);
+        let losses = lost.map(|((from, to), _)| place.clamp(*from, *to)).collect();
         // The rank falls and rises with the distance.
         let steepness = gauss.points.iter().zip(&points.left).map(|(theta, left)| left / (theta - place).abs());
         let half = WORN / steepness.fold(0.0, f64::max);
@@ -193,6 +201,7 @@ impl<M: ConstrainedSystem> Search<'_, M> {
             losses,
             untouched: (a.min(b), a.max(b)),
             kappa,
+            start: self.start.clone(),
         })
     }
 }

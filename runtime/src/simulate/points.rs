@@ -9,12 +9,22 @@ use super::general::{General, GeneralPoint};
 use super::inputs::InputSource;
 use super::passage::POINTS;
 use crate::error::Obstacle;
+use crate::tangent::Span;
 use crate::{ConstrainedSystem, Error};
 
 /// So far from the middle the loss of rank may be, as a part of the step.
 const OFF_CENTRE: f64 = 0.02;
 /// By these the length of a step is changed to move the points away from the loss of rank.
 const LONGER: [f64; 4] = [1.1, 1.2, 1.35, 1.5];
+
+/// The rows of C at the start of a step.
+#[derive(Clone)]
+pub(super) struct Sense {
+    /// The rows there, or before it.
+    pub(super) span: Span,
+    /// Whether they have turned over since then.
+    pub(super) turned: bool,
+}
 
 /// Where in the step the loss of rank is to lie.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -55,9 +65,10 @@ impl<M: ConstrainedSystem> Points<M> {
         flow: &mut General<'_, M, I>,
         gauss: &Gauss,
         t: f64,
+        start: &Sense,
     ) -> Result<(), Obstacle> {
         (self.left, self.turned) = (Vec::with_capacity(POINTS), Vec::with_capacity(POINTS));
-        let mut before = None;
+        let mut before = start.clone();
         for ((theta, at), found) in gauss.points.iter().zip(&self.at).zip(&mut self.rates) {
             let (time, mut point) = (t + theta * self.length, *at);
             if !point.is_finite() {
@@ -67,9 +78,8 @@ impl<M: ConstrainedSystem> Points<M> {
             let left;
             (*found, left) = rate(flow, time, &point)?;
             self.left.push(left);
-            let (turned, span) = flow.equations.turned(before.as_ref());
-            self.turned.push(turned);
-            before = Some(span);
+            self.turned.push(flow.equations.is_turned(&before.span) != before.turned);
+            before = Sense { span: flow.equations.span(), turned: false };
         }
         Ok(())
     }
