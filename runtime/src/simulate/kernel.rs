@@ -2,7 +2,7 @@
 
 use alloc::boxed::Box;
 
-use super::control::{Controller, Tolerance};
+use super::control::Controller;
 use super::events::{Events, Verdict};
 use super::flow::{Flow, Point};
 use super::stages::{COEFFICIENTS, dense_output, evaluate, first_step, interpolate, stages};
@@ -11,74 +11,15 @@ use super::trajectory::Trajectory;
 use crate::{ConstrainedSystem, Error};
 
 mod leap;
+mod plan;
 
 pub(super) use leap::Leap;
+pub(super) use plan::{Pace, Plan};
 
 /// Times that differ by less than this part of a step are the same.
 const SAME_TIME: f64 = 1e-12;
-/// A step is lengthened to reach the end if less than this part of it would remain.
-const REMAINDER: f64 = 0.01;
-/// With fixed steps only rounding is made up for.
-const FIXED_REMAINDER: f64 = 1e-9;
 /// Progress is told when this part of the run has been added.
 const PROGRESS: f64 = 0.005;
-
-/// Sizes of the steps.
-#[derive(Copy, Clone, Debug)]
-pub(super) enum Pace {
-    Fixed { step: f64 },
-    Adaptive { tolerance: Tolerance, longest: f64 },
-}
-
-/// What a run is to do; all figures are checked.
-#[derive(Copy, Clone, Debug)]
-pub(super) struct Plan {
-    pub(super) start: f64,
-    pub(super) end: f64,
-    pub(super) pace: Pace,
-    pub(super) every: Option<f64>,
-    pub(super) dense: bool,
-    pub(super) max_steps: usize,
-}
-
-impl Plan {
-    /// 1 forwards in time, −1 backwards.
-    pub(super) fn direction(&self) -> f64 {
-        if self.end < self.start { -1.0 } else { 1.0 }
-    }
-
-    /// The end of the step at t, `size` long if the method may choose; no step reaches beyond the barrier. Fixed steps follow
-    /// `taken` others since a time.
-    fn next(&self, t: f64, (since, taken): (f64, usize), size: f64, barrier: f64) -> f64 {
-        let (next, remainder) = match self.pace {
-            // From a count, so that the times do not gather rounding errors.
-            Pace::Fixed { step } => {
-                let next = since + self.direction() * step * (taken + 1) as f64;
-                (next, FIXED_REMAINDER)
-            }
-            Pace::Adaptive { .. } => (t + self.direction() * size, REMAINDER),
-        };
-        if (barrier - next) * self.direction() <= remainder * size { barrier } else { next }
-    }
-
-    /// The time of the output after `count` ones; none where every step is kept.
-    fn output(&self, count: usize) -> Option<f64> {
-        let every = self.every?;
-        Some(self.start + self.direction() * every * (count + 1) as f64)
-    }
-
-    /// Whether the next output lies strictly before the end of the step.
-    fn output_within(&self, count: usize, next: f64, h: f64) -> Option<f64> {
-        let within = |at: &f64| (next - at) * self.direction() > SAME_TIME * h.abs();
-        self.output(count).filter(within)
-    }
-
-    /// Whether the end of the step is to be kept.
-    fn output_at(&self, count: usize, next: f64, h: f64) -> bool {
-        let reached = |at: f64| (next - at) * self.direction() >= -SAME_TIME * h.abs();
-        self.output(count).is_none_or(reached)
-    }
-}
 
 /// Why a flow was left without an error.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]

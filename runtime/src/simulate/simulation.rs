@@ -157,6 +157,9 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
     /// [`Error::Impassable`](crate::Error::Impassable) where nothing is found: at a dead end, or where the velocity would jump. Where
     /// no power acts the step keeps the energy. [`Statistics::crossings`](super::Statistics::crossings) counts the passages.
     ///
+    /// Near the crossing itself, where less than a hundredth is left of the rank, outputs and events stand on the polynomial of that
+    /// step, and are not brought onto the constraints once more. A start right on a crossing is refused.
+    ///
     /// Runs that stay in their chart ([`Charts::Stay`]), or are stabilised by [`baumgarte`](Simulation::baumgarte), and models with
     /// rows that are not linear in the velocities do not pass. Inputs are asked for at points of the whole step, also where the
     /// run ends, or takes a sample, within it.
