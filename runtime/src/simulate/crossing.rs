@@ -32,9 +32,13 @@ const RETRIES: usize = 24;
 /// A passage is found to this relative accuracy at least, or it is none: another branch would be as far away as its tangent tells.
 const PASSAGE: f64 = 1e-6;
 
-/// A start whose rows have no more than this, as a sine, between them lies where they depend on each other, as does one of which a
-/// row has no more than this, as a part of its terms, for a slope: rounding turns its velocities by a hundredth.
+/// A start whose rows have no more than this, as a sine, between them lies where they depend on each other: rounding turns its
+/// velocities by a hundredth.
 const AT: f64 = 1e-7;
+
+/// So does a start at which the slopes of a row, times the coordinates, are no more than this part of its terms. Terms may be large
+/// because they are measured from far away, so that this is as little as leaves half of the digits.
+const LEVEL: f64 = 1e-9;
 
 /// What a run does where constraints lose their rank; see [`Simulation::crossing`](super::Simulation::crossing).
 ///
@@ -303,7 +307,7 @@ pub(super) fn check_rank<M: ConstrainedSystem>(
     }
     // Where there are more rows than it takes, others do for one that has no direction.
     let independent = M::MODEL.rows.len() + M::MODEL.reduced_speeds.len() == M::MODEL.carriers.len();
-    match manifold.and_then(|manifold| manifold.level(t, s, AT)) {
+    match manifold.and_then(|manifold| manifold.level(t, s, LEVEL)) {
         Some(row) if independent => refuse(M::MODEL.position_rows.get(row).copied().into_iter().collect()),
         _ => Ok(()),
     }
