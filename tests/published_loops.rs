@@ -13,9 +13,10 @@ mod support;
 use bricard::Bricard;
 use differential_equations::methods::ImplicitRungeKutta;
 use flyball::Governor;
+use holonomy::Error;
 use holonomy::differential_equations::Equations;
 use holonomy::prelude::*;
-use loops::{Axle, CrankAndSlider, FourBarOfRods, Squeezer};
+use loops::{Axle, CrankAndSlider, CrankAndSliderState, FourBarOfRods, Squeezer};
 use serde_json::Value;
 use support::andrews::andrews;
 use support::golden::{assert_close, assert_close_at, case, from_json, list, numbers, parse, picked};
@@ -248,4 +249,57 @@ fn geometry_costs_little() {
     costs::<Axle>([119, 1], 119);
     costs::<Governor>([114, 2], 105);
     costs::<Bricard>([796, 5], 1452);
+}
+
+/// The equal slider-crank in motion, through the positions in which crank and rod lie on each other and branches meet: forwards,
+/// backwards in time, and with the speed reversed; at the instant of the first passage too.
+#[test]
+fn slider_crank_of_equal_lengths_through_its_crossings() {
+    let golden = parse(include_str!("data/slider_crank_equal.json"));
+    let model = from_json!(golden["parameters"], CrankAndSlider { l: "l", m1: "m1", m2: "m2", m3: "m3", g: "g" });
+    let model = model.prepare().expect("the parameters are good");
+    let rows = list(&case(&golden, "smooth_branch")["expected"]);
+    let figure = |row: &serde_json::Value, name: &str| numbers(&row[name])[0];
+    let start = |row, sign: f64| CrankAndSliderState {
+        alpha: figure(row, "alpha"),
+        beta: figure(row, "beta"),
+        x: figure(row, "x"),
+        dot_alpha: sign * figure(row, "alpha_rate"),
+    };
+    let (first, last) = (&rows[0], &rows[rows.len() - 1]);
+    let end = figure(last, "t");
+    for (name, from, to, row, sign) in
+        [("forwards", 0.0, end, first, 1.0), ("backwards", end, 0.0, last, 1.0), ("reversed", -end, 0.0, last, -1.0)]
+    {
+        let run = model.simulate(start(row, sign)).starting_at(from).tolerance(1e-12, 1e-12);
+        let run = run.until(to).unwrap_or_else(|stopped| panic!("{name}: {stopped}"));
+        // From α = 0.5 to 24: past π/2, 3π/2, …, 15π/2.
+        assert_eq!(run.statistics().crossings, 8, "{name}: {:?}", run.statistics());
+        let (mut worst, mut reaction) = (0.0_f64, 0.0_f64);
+        for row in rows {
+            let t = sign * figure(row, "t");
+            let (s, v) = (run.at(t).expect("within"), run.velocities_at(t).expect("within"));
+            let found = [s.alpha, s.beta, s.x, sign * v.dot_alpha, sign * v.dot_x];
+            let expected = ["alpha", "beta", "x", "alpha_rate", "x_rate"].map(|name| figure(row, name));
+            let errors = found.iter().zip(expected).map(|(found, expected)| (found - expected).abs());
+            let error = errors.fold(0.0, f64::max);
+            assert!(error < 1e-8, "{name} at {t}: {error:e}");
+            worst = worst.max(error);
+            // Reactions have a limit at the crossing, but C alone does not tell them there.
+            let reactions = run.multipliers_at(t, &[]);
+            match row["singular"].is_null() {
+                true => {
+                    let reactions = reactions.expect("regular");
+                    let [x, y] = [reactions.closure_x, reactions.closure_y];
+                    let lam = numbers(&row["lam"]);
+                    reaction = reaction.max((x - lam[0]).abs().max((y - lam[1]).abs()));
+                }
+                false => {
+                    assert!(matches!(reactions, Err(Error::Dependent { value, .. }) if value < 1e-3), "{reactions:?}")
+                }
+            }
+        }
+        assert!(reaction < 1e-8, "{name}: {reaction:e}");
+        println!("{name}: {worst:.1e}, reactions {reaction:.1e}, {:?}", run.statistics());
+    }
 }

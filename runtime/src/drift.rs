@@ -22,6 +22,8 @@ pub(crate) struct Drift<M: ConstrainedSystem> {
     residuals: Vec<f64>,
     /// The largest residual at the last point, relative to its terms.
     pub(crate) last: f64,
+    /// Whether also residuals that count as zero are reduced: near a loss of rank they turn the velocity.
+    pub(crate) thorough: bool,
 }
 
 impl<M: ConstrainedSystem> Drift<M> {
@@ -53,6 +55,7 @@ impl<M: ConstrainedSystem> Drift<M> {
             residuals: vec![0.0; m],
             places,
             last: 0.0,
+            thorough: false,
         }))
     }
 
@@ -69,7 +72,7 @@ impl<M: ConstrainedSystem> Drift<M> {
         for _ in 0..ITERATIONS {
             let v = self.frame.carriers.velocities(model, t, s, |i| w[i]);
             self.measure(model, t, &x, &v);
-            if self.last <= ROUNDING {
+            if self.last <= ROUNDING && (moved || !self.thorough) {
                 return Ok(moved);
             }
             let stalled = self.last <= STALLED && self.last > 0.5 * before;

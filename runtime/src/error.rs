@@ -7,6 +7,10 @@ use core::fmt;
 
 use crate::{AssemblyReport, TrimReport};
 
+mod obstacle;
+
+pub use obstacle::Obstacle;
+
 /// Why a model could not be prepared, assembled or simulated.
 ///
 /// ```
@@ -203,6 +207,17 @@ pub enum Error {
         /// When, if that is known.
         time: Option<f64>,
     },
+    /// A run starts, or came to a point, where constraints depend on each other, and does not go on from there.
+    Impassable {
+        /// The rows of C that take part.
+        rows: Vec<&'static str>,
+        /// The guard of the model that vanishes with the rank, if one does.
+        guard: Option<&'static str>,
+        /// What is in the way.
+        obstacle: Obstacle,
+        /// When.
+        time: f64,
+    },
     /// Constraints that depend on each other demand different things.
     Inconsistent {
         /// The rows of C that take part.
@@ -396,6 +411,14 @@ impl fmt::Display for Error {
                     write!(out, ", where {guard} vanishes")?;
                 }
                 out.write_str("); leave one out, mark it `redundant` if it always depends on the others, or keep away from such configurations")
+            }
+            Error::Impassable { rows, guard, obstacle, time } => {
+                write!(out, "at t = {time} the rows of C depend on each other, and the run does not go on: ")?;
+                list(out, rows)?;
+                if let Some(guard) = guard {
+                    write!(out, ", where {guard} vanishes")?;
+                }
+                write!(out, "; {obstacle}")
             }
             Error::Inconsistent { rows, residual } => {
                 out.write_str("constraints that depend on each other contradict each other: ")?;

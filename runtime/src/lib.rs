@@ -98,7 +98,7 @@ mod vector;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use assemble::{Assembled, Assembly, AssemblyMode, AssemblyModes, AssemblyReport, Met};
 #[cfg(any(feature = "std", feature = "libm"))]
-pub use error::Error;
+pub use error::{Error, Obstacle};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use linearize::{Linearization, Mode};
 #[cfg(any(feature = "std", feature = "libm"))]

@@ -85,6 +85,8 @@ pub(crate) struct Manifold<M: ConstrainedSystem> {
     pub(crate) columns: usize,
     /// The largest residual at the last point that was restored, relative to its terms.
     pub(crate) last: f64,
+    /// Whether also residuals that count as zero are reduced: near a loss of rank they are a distance.
+    pub(crate) thorough: bool,
     tangent: Tangent,
 }
 
@@ -100,6 +102,7 @@ impl<M: ConstrainedSystem> Manifold<M> {
             jacobian: vec![0.0; rows * columns],
             columns,
             last: 0.0,
+            thorough: false,
             tangent: Tangent::new(frame.size.1, rows),
             frame,
         })
@@ -138,12 +141,13 @@ impl<M: ConstrainedSystem> Manifold<M> {
         for _ in 0..ITERATIONS {
             let f = model.position_residual_at(t, s).into();
             self.last = self.worst(f.as_ref()).1;
-            if self.last <= ROUNDING {
+            let enough = moved || !self.thorough;
+            if self.last <= ROUNDING && enough {
                 return Ok(moved);
             }
             self.differentiate(t, s);
             self.last = self.worst(f.as_ref()).1;
-            if self.last <= ROUNDING || (self.last <= STALLED && self.last > 0.5 * before) {
+            if self.last <= ROUNDING && enough || (self.last <= STALLED && self.last > 0.5 * before) {
                 return Ok(moved);
             }
             before = self.last;
@@ -165,11 +169,21 @@ impl<M: ConstrainedSystem> Manifold<M> {
 
     /// Whether a row depends on the coordinates of the state at all, by the Jacobian: a configuration satisfies its rows.
     pub(crate) fn moves(&self, row: usize, s: &M::State<f64>) -> bool {
+        self.slopes(row, s) > STALLED * self.sizes[row]
+    }
+
+    /// The first row whose slopes, times the coordinates of the state, are below a part of its terms: it does not tell where to go.
+    pub(crate) fn level(&mut self, t: f64, s: &M::State<f64>, below: f64) -> Option<usize> {
+        self.differentiate(t, s);
+        (0..self.sizes.len()).find(|row| self.slopes(*row, s) < below * self.sizes[*row])
+    }
+
+    /// The size of a row's slopes times the coordinates of the state.
+    fn slopes(&self, row: usize, s: &M::State<f64>) -> f64 {
         let array: <M::State<f64> as Vector<f64>>::Array = (*s).into();
         let least = floor(s);
         let slopes = self.jacobian[row * self.columns..(row + 1) * self.columns].iter().zip(array.as_ref());
-        let terms: f64 = slopes.map(|(slope, q)| (slope * q.abs().max(least)).abs()).sum();
-        terms > STALLED * self.sizes[row]
+        slopes.map(|(slope, q)| (slope * q.abs().max(least)).abs()).sum()
     }
 
     /// Whether the coordinates of the state satisfy f = 0 by construction.

@@ -2,8 +2,10 @@
 
 mod charts;
 mod checks;
+mod collocation;
 mod control;
 mod course;
+mod crossing;
 mod dop853;
 mod emitted;
 mod equations;
@@ -14,6 +16,8 @@ mod guards;
 mod inputs;
 mod kernel;
 mod orientation;
+mod passage;
+mod points;
 mod readings;
 mod simulation;
 mod stages;
@@ -28,6 +32,7 @@ pub(crate) use guards::Watch;
 pub(crate) use start::{check_position, check_velocity};
 
 pub use charts::{Chart, Charts, FLAT, STEEP};
+pub use crossing::Crossing;
 pub use events::{Event, Occurrence};
 pub use guards::SINGULAR;
 pub use inputs::{InputSource, NoInputs, Sampled};

@@ -2,6 +2,7 @@
 
 use super::Method;
 use super::course::Course;
+use super::crossing::{Approach, check_rank};
 use super::emitted::check_inputs;
 use super::guards::{Watch, figures};
 use super::inputs::InputSource;
@@ -61,7 +62,11 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
         }
         check_inputs::<M>(&self.source.inputs(from, &start))?;
         // The guards stand between f and φ: where one vanishes, the velocities are not finite.
-        let manifold = check_position(model, from, &start)?;
+        let mut manifold = check_position(model, from, &start)?;
+        // Where the rank is lost no other speeds would do either.
+        if manifold.is_some() {
+            check_rank(model, from, &start, manifold.as_mut())?;
+        }
         let v = match self.velocities {
             Some(v) => {
                 let watch = Watch::unjudged(model, 0, from, &start)?;
@@ -85,6 +90,10 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
             events: self.events,
             progress: self.progress,
             strength: None,
+            crossing: self.crossing,
+            tolerance: self.tolerance,
+            approach: Approach::default(),
+            inside: None,
         };
         Ok((plan, course))
     }

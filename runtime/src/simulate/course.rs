@@ -4,6 +4,8 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 
 use super::charts::{Chart, Charts, Quality, STEEP};
+use super::control::Tolerance;
+use super::crossing::{Approach, Crossing, Inside};
 use super::emitted::Emitted;
 use super::equations::{Baumgarte, Equations, Strength};
 use super::events::{Event, Events, Verdict};
@@ -33,6 +35,11 @@ pub(super) struct Course<'a, M: ConstrainedSystem, I> {
     pub(super) progress: Option<Box<dyn FnMut(f64) + 'a>>,
     /// What the rows of C were at best, as far as the run has looked at it.
     pub(super) strength: Option<Strength>,
+    pub(super) crossing: Crossing,
+    /// For passages through losses of rank.
+    pub(super) tolerance: Tolerance,
+    pub(super) approach: Approach<M>,
+    pub(super) inside: Option<Inside<M>>,
 }
 
 impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
@@ -65,7 +72,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
         let mut crowd = Crowd::default();
         let result = loop {
             run.barrier = samples.next();
-            let result = self.leg(chart, &mut run, quality.as_ref(), &mut standing);
+            let result = self.onward(chart, &mut run, quality.as_ref(), &mut standing);
             let next = match (&quality, result) {
                 (_, Ok(Exit::Barrier)) if run.t == plan.end => break Ok(()),
                 (_, Ok(Exit::Barrier)) => {
@@ -84,7 +91,8 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
                 (_, Ok(Exit::Event(_))) => break Ok(()),
                 (Some(quality), Ok(Exit::Leaves)) => better(quality, self.model, Some(chart), run.t, &standing.0),
                 (Some(_), Err(error)) if is_of_chart::<M>(chart, &error) => Chart::General,
-                (None, Ok(Exit::Leaves)) => chart,
+                (Some(quality), Ok(Exit::Passed)) => better(quality, self.model, None, run.t, &standing.0),
+                (_, Ok(Exit::Nears)) | (None, Ok(Exit::Leaves | Exit::Passed)) => chart,
                 (_, Err(error)) => break Err(error),
             };
             run.trajectory.statistics.chart_changes += usize::from(next != chart);
@@ -112,6 +120,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
         run.events.leave(event);
         run.trajectory.push(run.t, s, v);
         *standing = (s, v);
+        self.inside = None;
         run.begin();
         Ok(())
     }
@@ -132,7 +141,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
     }
 
     /// The steps in one chart.
-    fn leg<const S: usize>(
+    pub(super) fn leg<const S: usize>(
         &mut self,
         chart: Chart,
         run: &mut Run<'_, '_, M, S>,
@@ -145,8 +154,10 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
             Some(_) => Ok(None),
             None => Drift::new(model, carriers, t, &model.coordinates(t, &s), &v),
         };
+        let passes = self.passes();
         match chart {
             Chart::Emitted(chart) => {
+                self.approach.strength = self.strength.clone();
                 let start = match chart {
                     0 => s,
                     _ => with_speeds::<M, f64>(&s, entry(&model.chart_speeds(chart, t, &s, &v))),
@@ -160,12 +171,14 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
                     source: &mut self.source,
                     manifold: self.manifold.as_mut(),
                     quality,
+                    approach: quality.filter(|_| passes).map(|_| &mut self.approach),
                 };
                 let mut y = start.into();
                 let result = run.steps(&mut flow, &mut y);
                 if run.t != t {
                     *standing = flow.view(run.t, &y);
                 }
+                self.strength = self.approach.strength.take();
                 result
             }
             Chart::General => {
@@ -182,6 +195,8 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
                     quality,
                     baumgarte: self.baumgarte,
                     failure: None,
+                    approach: if passes { Some(&mut self.approach) } else { None },
+                    untouched: None,
                 };
                 let mut y = point::<M>(&s, w);
                 let result = run.steps(&mut flow, &mut y);

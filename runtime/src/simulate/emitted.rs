@@ -1,6 +1,7 @@
 //! An emitted chart as a flow: its points are states whose speeds are those of the chart.
 
 use super::charts::{Chart, Quality, STEEP};
+use super::crossing::Approach;
 use super::equations::Equations;
 use super::flow::Flow;
 use super::guards::{Watch, figures, widen};
@@ -38,6 +39,8 @@ pub(super) struct Emitted<'r, M: ConstrainedSystem, I> {
     pub(super) crossing: Option<Equations<M>>,
     /// With the charts that the run may change to.
     pub(super) quality: Option<&'r Quality<M>>,
+    /// What watches for losses of rank that the run may pass, where a pivot of the chart tells that one may be near.
+    pub(super) approach: Option<&'r mut Approach<M>>,
 }
 
 impl<M: ConstrainedSystem, I: InputSource<M>> Emitted<'_, M, I> {
@@ -145,6 +148,14 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for Emitted<'_, M, I> {
         margin < SPENT
             || margin < LOST && steepness > STEEP
             || quality.has_flatter(self.model, self.chart, t, &s, 0.5 * steepness)
+    }
+
+    fn nears(&mut self, t: f64, y: &Self::Point, guards: &Self::Guards) -> bool {
+        if self.approach.is_none() || self.watch.margin((*guards).into().as_ref()) >= LOST {
+            return false;
+        }
+        let ((s, v), inputs) = (self.view(t, y), self.inputs(t, y));
+        self.approach.as_mut().is_some_and(|approach| approach.look(self.model, t, (&s, &v), &inputs))
     }
 
     /// The estimates are made of lower orders, five and three, than the step's own error, which grows faster towards the zero of

@@ -53,6 +53,8 @@ pub(super) struct Equations<M: ConstrainedSystem> {
     before: Option<Span>,
     /// ẇ of the last point.
     pub(super) rates: Vec<f64>,
+    /// How often it was solved.
+    pub(super) solved: usize,
 }
 
 impl<M: ConstrainedSystem> Equations<M> {
@@ -70,6 +72,7 @@ impl<M: ConstrainedSystem> Equations<M> {
             strength: Strength { rows: vec![0.0; m], pivot: 0.0 },
             before: None,
             rates: vec![0.0; c],
+            solved: 0,
         })
     }
 
@@ -111,6 +114,7 @@ impl<M: ConstrainedSystem> Equations<M> {
         inputs: &M::Inputs<f64>,
         baumgarte: Baumgarte,
     ) -> Result<M::StateCoordinates<f64>, Error> {
+        self.solved += 1;
         let carriers = (*w).into();
         let carriers: &[f64] = carriers.as_ref();
         let v = model.carried_velocities(t, s, w);
@@ -157,21 +161,57 @@ impl<M: ConstrainedSystem> Equations<M> {
         match self.orientation.accept(t, &self.tangent) {
             Some(rows) => Err(self.loss(Loss::Rank { rows, pivot: 0.0 }, t)),
             None => {
-                self.strength.pivot = self.strength.pivot.max(self.tangent.least);
+                self.strengthen();
                 self.weakest(t, LOST).map_or(Ok(()), Err)
             }
         }
     }
 
+    /// What is left of the rank at the last point: of the smallest pivot, or of the length of a row of positions, relative to the
+    /// largest value that it had.
+    pub(super) fn rank_left(&self) -> f64 {
+        let length = self.shortest().map_or(f64::INFINITY, |(_, length)| length);
+        length.min(self.pivot_left())
+    }
+
+    /// Remembers how well the rows of the last point tell directions apart, if no point before did better.
+    pub(super) fn strengthen(&mut self) {
+        self.strength.pivot = self.strength.pivot.max(self.tangent.least);
+    }
+
+    /// The smallest pivot at the last point, as a sine.
+    pub(super) fn smallest_pivot(&self) -> f64 {
+        self.tangent.least
+    }
+
+    /// The rows at the last point, to be compared with those of others.
+    pub(super) fn span(&self) -> Span {
+        self.tangent.span()
+    }
+
+    /// Whether the rows have turned over since they were these.
+    pub(super) fn is_turned(&self, before: &Span) -> bool {
+        self.tangent.compare(before).0 < 0.0
+    }
+
+    fn pivot_left(&self) -> f64 {
+        self.tangent.least / self.strength.pivot.max(self.tangent.least)
+    }
+
+    /// The row of positions of whose length least is left, and how much.
+    ///
+    /// Rows of velocities and accelerations are not gradients of what they bind: no branches meet where they are short.
+    fn shortest(&self) -> Option<(usize, f64)> {
+        let positions = (0..self.lengths.len()).filter(|row| M::MODEL.rows[*row].level == Level::Position);
+        let lengths = positions.map(|row| (row, self.lengths[row] / self.strength.rows[row]));
+        lengths.min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
     /// The row that has become shortest, or the rows that are nearest to depending on each other, at the last point, if what is
     /// left of them is below this fraction of what there was.
     pub(super) fn weakest(&self, t: f64, below: f64) -> Option<Error> {
-        // Rows of velocities and accelerations are not gradients of what they bind: no branches meet where they are short.
-        let positions = (0..self.lengths.len()).filter(|row| M::MODEL.rows[*row].level == Level::Position);
-        let lengths = positions.map(|row| (row, self.lengths[row] / self.strength.rows[row]));
-        let shortest = lengths.min_by(|a, b| a.1.total_cmp(&b.1));
-        let pivot = self.tangent.least / self.strength.pivot.max(self.tangent.least);
-        let (rows, pivot) = match shortest {
+        let pivot = self.pivot_left();
+        let (rows, pivot) = match self.shortest() {
             Some((row, length)) if length < pivot => (vec![row], length),
             _ => (self.tangent.weakest(), pivot),
         };

@@ -67,6 +67,9 @@ pub(super) trait Flow<M: ConstrainedSystem> {
     /// Whether the run is to go on in another chart.
     fn leaves(&mut self, t: f64, y: &Self::Point, guards: &Self::Guards) -> bool;
 
+    /// Whether the run comes so near to a loss of rank that it is to look for a passage.
+    fn nears(&mut self, t: f64, y: &Self::Point, guards: &Self::Guards) -> bool;
+
     /// The factor by which an error estimate counts more than it tells: near a pole of the rate it tells too little.
     fn strictness(&self, guards: &Self::Guards) -> f64;
 

@@ -1,6 +1,7 @@
 //! The general chart as a flow: its points are the coordinates of the state and the carriers.
 
 use super::charts::{Chart, Quality};
+use super::crossing::Approach;
 use super::emitted::check_inputs;
 use super::equations::{Baumgarte, Equations};
 use super::flow::{Flow, Point};
@@ -28,6 +29,13 @@ pub(super) struct Pair<S, W> {
     carriers: W,
     /// The number of coordinates.
     first: usize,
+}
+
+impl<S: Copy, W: AsRef<[f64]> + AsMut<[f64]> + Copy> Pair<S, W> {
+    /// Multiplies the carriers.
+    pub(super) fn scale_carriers(&mut self, factor: f64) {
+        self.carriers.as_mut().iter_mut().for_each(|w| *w *= factor);
+    }
 }
 
 impl<S: AsRef<[f64]> + AsMut<[f64]> + Copy, W: AsRef<[f64]> + AsMut<[f64]> + Copy> Point for Pair<S, W> {
@@ -65,6 +73,10 @@ pub(super) struct General<'r, M: ConstrainedSystem, I> {
     pub(super) baumgarte: Baumgarte,
     /// Why the last rate could not be found.
     pub(super) failure: Option<Error>,
+    /// What watches for losses of rank, where the run may pass them.
+    pub(super) approach: Option<&'r mut Approach<M>>,
+    /// Times between which points are as exact as they can be: so near to a loss of rank restoring them would only add rounding.
+    pub(super) untouched: Option<(f64, f64)>,
 }
 
 impl<M: ConstrainedSystem, I: InputSource<M>> General<'_, M, I> {
@@ -77,6 +89,32 @@ impl<M: ConstrainedSystem, I: InputSource<M>> General<'_, M, I> {
             }
             error => error,
         }
+    }
+
+    /// A first guess of the point a while later, of second order in the coordinates: with the velocities of half the time.
+    pub(super) fn guess(&self, t: f64, y: &GeneralPoint<M>, rate: &GeneralPoint<M>, later: f64) -> GeneralPoint<M> {
+        let after = |part: f64| {
+            let w = |i: usize| y.carriers.as_ref()[i] + part * later * rate.carriers.as_ref()[i];
+            M::Carriers::from_fn(w)
+        };
+        let rates = self.model.carried_rates(t, &y.state.into(), &after(0.5)).into();
+        let mut ahead = *y;
+        for (q, rate) in ahead.state.as_mut().iter_mut().zip(rates.as_ref()) {
+            *q += later * rate;
+        }
+        ahead.carriers = after(1.0).into();
+        ahead
+    }
+
+    /// The kinetic and the potential energy of a point; none, where the model has no potential energy, or moves at w = 0.
+    pub(super) fn energies(&self, t: f64, y: &GeneralPoint<M>) -> Option<(f64, f64)> {
+        let s: M::State<f64> = y.state.into();
+        let at_rest = self.model.carried_velocities(t, &s, &M::Carriers::from_fn(|_| 0.0)).into();
+        if at_rest.as_ref().iter().any(|v| *v != 0.0) {
+            return None;
+        }
+        let (x, v) = (self.model.coordinates(t, &s), self.velocities(t, y));
+        Some((self.model.kinetic_energy(t, &x, &v), self.model.potential_energy(t, &x)?))
     }
 
     fn velocities(&self, t: f64, y: &GeneralPoint<M>) -> M::Velocities<f64> {
@@ -126,7 +164,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for General<'_, M, I> {
     }
 
     fn restore(&mut self, t: f64, y: &mut Self::Point) -> Result<bool, Error> {
-        if self.baumgarte.is_some() {
+        if self.baumgarte.is_some() || self.untouched.is_some_and(|(from, to)| from <= t && t <= to) {
             return Ok(false);
         }
         let mut moved = false;
@@ -161,6 +199,11 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for General<'_, M, I> {
         // All charts lose their pivots with the rank, also those that look flat there.
         self.equations.weakest(t, WORN).is_none()
             && self.quality.is_some_and(|quality| quality.flattest(self.model, None, t, &y.state.into()).is_some())
+    }
+
+    fn nears(&mut self, _: f64, _: &Self::Point, _: &Self::Guards) -> bool {
+        let left = self.equations.rank_left();
+        self.approach.as_mut().is_some_and(|approach| approach.nears(left))
     }
 
     fn strictness(&self, _: &Self::Guards) -> f64 {

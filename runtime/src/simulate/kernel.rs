@@ -2,7 +2,7 @@
 
 use alloc::boxed::Box;
 
-use super::control::{Controller, Tolerance};
+use super::control::Controller;
 use super::events::{Events, Verdict};
 use super::flow::{Flow, Point};
 use super::stages::{COEFFICIENTS, dense_output, evaluate, first_step, interpolate, stages};
@@ -10,71 +10,16 @@ use super::tableau::Tableau;
 use super::trajectory::Trajectory;
 use crate::{ConstrainedSystem, Error};
 
+mod leap;
+mod plan;
+
+pub(super) use leap::Leap;
+pub(super) use plan::{Pace, Plan};
+
 /// Times that differ by less than this part of a step are the same.
 const SAME_TIME: f64 = 1e-12;
-/// A step is lengthened to reach the end if less than this part of it would remain.
-const REMAINDER: f64 = 0.01;
-/// With fixed steps only rounding is made up for.
-const FIXED_REMAINDER: f64 = 1e-9;
 /// Progress is told when this part of the run has been added.
 const PROGRESS: f64 = 0.005;
-
-/// Sizes of the steps.
-#[derive(Copy, Clone, Debug)]
-pub(super) enum Pace {
-    Fixed { step: f64 },
-    Adaptive { tolerance: Tolerance, longest: f64 },
-}
-
-/// What a run is to do; all figures are checked.
-#[derive(Copy, Clone, Debug)]
-pub(super) struct Plan {
-    pub(super) start: f64,
-    pub(super) end: f64,
-    pub(super) pace: Pace,
-    pub(super) every: Option<f64>,
-    pub(super) dense: bool,
-    pub(super) max_steps: usize,
-}
-
-impl Plan {
-    /// 1 forwards in time, −1 backwards.
-    pub(super) fn direction(&self) -> f64 {
-        if self.end < self.start { -1.0 } else { 1.0 }
-    }
-
-    /// The end of the step at t, `size` long if the method may choose; no step reaches beyond the barrier. Fixed steps follow
-    /// `taken` others since a time.
-    fn next(&self, t: f64, (since, taken): (f64, usize), size: f64, barrier: f64) -> f64 {
-        let (next, remainder) = match self.pace {
-            // From a count, so that the times do not gather rounding errors.
-            Pace::Fixed { step } => {
-                let next = since + self.direction() * step * (taken + 1) as f64;
-                (next, FIXED_REMAINDER)
-            }
-            Pace::Adaptive { .. } => (t + self.direction() * size, REMAINDER),
-        };
-        if (barrier - next) * self.direction() <= remainder * size { barrier } else { next }
-    }
-
-    /// The time of the output after `count` ones; none where every step is kept.
-    fn output(&self, count: usize) -> Option<f64> {
-        let every = self.every?;
-        Some(self.start + self.direction() * every * (count + 1) as f64)
-    }
-
-    /// Whether the next output lies strictly before the end of the step.
-    fn output_within(&self, count: usize, next: f64, h: f64) -> Option<f64> {
-        let within = |at: &f64| (next - at) * self.direction() > SAME_TIME * h.abs();
-        self.output(count).filter(within)
-    }
-
-    /// Whether the end of the step is to be kept.
-    fn output_at(&self, count: usize, next: f64, h: f64) -> bool {
-        let reached = |at: f64| (next - at) * self.direction() >= -SAME_TIME * h.abs();
-        self.output(count).is_none_or(reached)
-    }
-}
 
 /// Why a flow was left without an error.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -85,6 +30,10 @@ pub(super) enum Exit {
     Event(Verdict),
     /// Another chart is better.
     Leaves,
+    /// A loss of rank is near.
+    Nears,
+    /// A loss of rank was passed.
+    Passed,
 }
 
 /// A run on its way: what is carried over from one flow to the next.
@@ -98,6 +47,8 @@ pub(super) struct Run<'r, 'a, M: ConstrainedSystem, const S: usize> {
     /// Where steps must end.
     pub(super) barrier: f64,
     pub(super) events: Events<'a, M>,
+    /// Whether a loss of rank came near in the last step.
+    pub(super) nearing: bool,
     controller: Controller,
     /// The size of the next step, once there is one.
     size: Option<f64>,
@@ -125,6 +76,7 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
             t,
             barrier,
             events,
+            nearing: false,
             controller,
             size: None,
             since,
@@ -138,6 +90,21 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
         self.since = (self.t, 0);
         self.size = None;
         self.controller = Controller::new(self.tableau);
+    }
+
+    /// The size of the step that would come next, or a small part of the run.
+    pub(super) fn size(&self) -> f64 {
+        let small = 1e-4 * (self.plan.end - self.plan.start).abs();
+        self.size.map_or(small, |size| size.min(small))
+    }
+
+    /// Halves the size of the next step, where the method may choose it.
+    pub(super) fn shorten(&mut self) -> bool {
+        let adaptive = matches!(self.plan.pace, Pace::Adaptive { .. });
+        if adaptive {
+            self.size = Some(self.size.map_or(self.size(), |size| 0.5 * size));
+        }
+        adaptive
     }
 
     /// Takes the steps to the end of the plan, or until the chart is to be changed. `y` is the last accepted point, also when it
@@ -241,8 +208,16 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
             if let Some(verdict) = cut {
                 return Ok(Exit::Event(verdict));
             }
-            if next != self.barrier && guards.is_some_and(|guards| flow.leaves(next, y, &guards)) {
-                return Ok(Exit::Leaves);
+            if let Some(guards) = guards
+                && next != plan.end
+            {
+                self.nearing = flow.nears(next, y, &guards);
+                if next != self.barrier && self.nearing {
+                    return Ok(Exit::Nears);
+                }
+                if next != self.barrier && flow.leaves(next, y, &guards) {
+                    return Ok(Exit::Leaves);
+                }
             }
         }
         Ok(Exit::Barrier)
@@ -277,11 +252,12 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
         (from, next, h): (f64, f64, f64),
         coefficients: &[F::Point],
     ) -> Result<Option<(f64, F::Point, Verdict)>, Error> {
-        // The end of a step is its end, whatever its length was rounded to.
-        let time = |theta: f64| if theta >= 1.0 { next } else { from + theta * h };
+        // The end of a step is its end, whatever its length was rounded to. A step that was cut is searched up to there.
+        let part = (next - from) / h;
+        let time = |theta: f64| if theta >= 1.0 { next } else { from + theta * (next - from) };
         let zeros = self.events.within(|theta| {
             let t = time(theta);
-            (t, flow.view(t, &within(coefficients, theta)).0)
+            (t, flow.view(t, &within(coefficients, theta * part)).0)
         });
         let mut cut: Option<(f64, F::Point, Verdict)> = None;
         let mut last = f64::INFINITY;
@@ -290,7 +266,7 @@ impl<'r, 'a, M: ConstrainedSystem, const S: usize> Run<'r, 'a, M, S> {
             if zero.theta > last {
                 break;
             }
-            let mut point = within(coefficients, zero.theta);
+            let mut point = within(coefficients, zero.theta * part);
             let t = time(zero.theta);
             flow.restore(t, &mut point)?;
             let occurrence = self.events.occurrence(zero, t, flow.view(t, &point).0);

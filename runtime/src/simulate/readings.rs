@@ -3,7 +3,7 @@
 use super::equations::Equations;
 use super::trajectory::Trajectory;
 use crate::manifold::{ratio, term_sizes};
-use crate::{ConstrainedSystem, Error, Prepared};
+use crate::{ConstrainedSystem, Error, Level, Prepared};
 
 /// How well the constraints are satisfied: the largest |f| and |φ| (or |ḟ|), each relative to the size of its terms.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
@@ -36,7 +36,8 @@ impl Residuals {
 }
 
 impl<M: ConstrainedSystem> Trajectory<M> {
-    /// λ at any time of the run, by the general form (3.5), (3.6), so that no chart matters.
+    /// λ at any time of the run, by the general form (3.5), (3.6), so that no chart matters; [`Error::Dependent`] in the moment in
+    /// which a run [crosses](super::Crossing) a loss of rank, where rounding would be all that tells it.
     ///
     /// ```
     /// # mod models { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/models/pendulum.rs")); }
@@ -51,7 +52,30 @@ impl<M: ConstrainedSystem> Trajectory<M> {
     /// ```
     pub fn multipliers_at(&self, t: f64, inputs: &M::Inputs<f64>) -> Result<M::Multipliers<f64>, Error> {
         let (s, v) = self.standing(t)?;
-        Equations::new(&self.model)?.multipliers(&self.model, t, &s, &v, inputs)
+        let mut equations = Equations::new(&self.model)?;
+        let multipliers = equations.multipliers(&self.model, t, &s, &v, inputs)?;
+        self.unless_meeting(t, &mut equations).map(|()| multipliers)
+    }
+
+    /// The error of reactions at a time at which the run crosses a loss of rank.
+    fn unless_meeting(&self, t: f64, equations: &mut Equations<M>) -> Result<(), Error> {
+        let Some(strength) = self.meeting(t) else { return Ok(()) };
+        equations.strength = strength.clone();
+        equations.weakest(t, f64::INFINITY).map_or(Ok(()), Err)
+    }
+
+    /// The outputs of a state and velocities.
+    fn outputs_of(
+        &self,
+        (t, s, v): (f64, &M::State<f64>, &M::Velocities<f64>),
+        inputs: &M::Inputs<f64>,
+    ) -> Result<M::Outputs<f64>, Error> {
+        let mut equations = Equations::new(&self.model)?;
+        let outputs = equations.outputs(&self.model, t, s, v, inputs)?;
+        match M::MODEL.outputs.iter().any(|output| output.level == Level::Acceleration) {
+            true => self.unless_meeting(t, &mut equations).map(|()| outputs),
+            false => Ok(outputs),
+        }
     }
 
     /// The outputs at one of the [`times`](Trajectory::times), by the general form where they need accelerations or reactions, so
@@ -93,14 +117,13 @@ impl<M: ConstrainedSystem> Trajectory<M> {
     ///
     /// If there are not so many times.
     pub fn outputs(&self, index: usize, inputs: &M::Inputs<f64>) -> Result<M::Outputs<f64>, Error> {
-        let (t, s, v) = self.stored(index);
-        Equations::new(&self.model)?.outputs(&self.model, t, s, v, inputs)
+        self.outputs_of(self.stored(index), inputs)
     }
 
     /// The outputs at any time of the run; see [`outputs`](Trajectory::outputs) and [`at`](Trajectory::at).
     pub fn outputs_at(&self, t: f64, inputs: &M::Inputs<f64>) -> Result<M::Outputs<f64>, Error> {
         let (s, v) = self.standing(t)?;
-        Equations::new(&self.model)?.outputs(&self.model, t, &s, &v, inputs)
+        self.outputs_of((t, &s, &v), inputs)
     }
 
     /// How well the state at one of the [`times`](Trajectory::times) satisfies the constraints.

@@ -7,6 +7,7 @@ use core::fmt;
 use super::Method;
 use super::charts::Charts;
 use super::control::Tolerance;
+use super::crossing::Crossing;
 use super::equations::Baumgarte;
 use super::events::Event;
 use super::inputs::{InputSource, NoInputs, Sampled};
@@ -50,6 +51,7 @@ pub struct Simulation<'a, M: ConstrainedSystem, I = NoInputs> {
     pub(super) dense: bool,
     pub(super) max_steps: usize,
     pub(super) charts: Charts,
+    pub(super) crossing: Crossing,
     pub(super) baumgarte: Baumgarte,
     pub(super) velocities: Option<M::Velocities<f64>>,
     pub(super) events: Vec<Event<'a, M>>,
@@ -89,6 +91,7 @@ impl<M: ConstrainedSystem> Prepared<M> {
             dense: true,
             max_steps: 10_000_000,
             charts: Charts::Change,
+            crossing: Crossing::Pass,
             baumgarte: None,
             velocities: None,
             events: Vec::new(),
@@ -142,6 +145,27 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
     #[must_use]
     pub fn charts(mut self, charts: Charts) -> Self {
         self.charts = charts;
+        self
+    }
+
+    /// What the run does where constraints lose their rank, and branches of the mechanism meet: it goes through otherwise, on the
+    /// branch on which it arrives.
+    ///
+    /// A motion that arrives with a velocity passes smoothly; the equations alone divide by zero there. Where little is left of the
+    /// rank, the run looks for one step through it, by collocation at points on both sides, each of them brought onto the
+    /// constraints; it takes the step if it is smooth to the tolerance, looks again nearer by if not, and ends with
+    /// [`Error::Impassable`](crate::Error::Impassable) where nothing is found: at a dead end, or where the velocity would jump. Where
+    /// no power acts the step keeps the energy. [`Statistics::crossings`](super::Statistics::crossings) counts the passages.
+    ///
+    /// Near the crossing itself, where less than a hundredth is left of the rank, outputs and events stand on the polynomial of that
+    /// step, and are not brought onto the constraints once more. A start right on a crossing is refused.
+    ///
+    /// Runs that stay in their chart ([`Charts::Stay`]), or are stabilised by [`baumgarte`](Simulation::baumgarte), and models with
+    /// rows that are not linear in the velocities do not pass. Inputs are asked for at points of the whole step, also where the
+    /// run ends, or takes a sample, within it.
+    #[must_use]
+    pub fn crossing(mut self, crossing: Crossing) -> Self {
+        self.crossing = crossing;
         self
     }
 
@@ -292,6 +316,7 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
             dense: self.dense,
             max_steps: self.max_steps,
             charts: self.charts,
+            crossing: self.crossing,
             baumgarte: self.baumgarte,
             velocities: self.velocities,
             events: self.events,

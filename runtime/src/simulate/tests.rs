@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use super::charts::Charts;
 use super::course::Course;
+use super::crossing::{Approach, Crossing};
 use super::kernel::{Pace, Plan};
 use super::tableau::{DORMAND_PRINCE, Estimate, RK4, Tableau};
 use super::trajectory::Trajectory;
@@ -32,6 +33,10 @@ fn run<const S: usize>(tableau: &'static Tableau<S>, pace: Pace) -> Trajectory<O
         events: Vec::new(),
         progress: None,
         strength: None,
+        crossing: Crossing::Refuse,
+        tolerance: Tolerance { relative: 1e-9, absolute: 1e-9 },
+        approach: Approach::default(),
+        inside: None,
     };
     let plan = Plan { start: 0.0, end: END, pace, every: None, dense: true, max_steps: 1_000_000 };
     course.run(tableau, &plan, &mut trajectory).unwrap();

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use super::charts::Chart;
+use super::equations::Strength;
 use super::events::Occurrence;
 use super::flow::Point;
 use super::readings::Residuals;
@@ -39,12 +40,14 @@ pub struct Trajectory<M: ConstrainedSystem> {
     states: Vec<M::State<f64>>,
     velocities: Vec<M::Velocities<f64>>,
     steps: Vec<Step>,
-    /// For every step `stride` points of its chart, entry by entry.
+    /// For every step its coefficients, entry by entry.
     coefficients: Vec<f64>,
-    stride: usize,
     residuals: Residuals,
     counts: Vec<(Chart, usize)>,
     events: Vec<Occurrence<M::State<f64>>>,
+    /// Where branches met: times between which so little was left of the rank that nothing was restored, and how strong the rows of C
+    /// were at best.
+    meetings: Vec<(f64, f64, Strength)>,
     pub(super) statistics: Statistics,
 }
 
@@ -57,6 +60,8 @@ struct Step {
     chart: Chart,
     /// Where its coefficients begin.
     first: usize,
+    /// The number of points of its chart that are its coefficients.
+    stride: usize,
 }
 
 /// What a run took.
@@ -71,6 +76,8 @@ pub struct Statistics {
     pub evaluations: usize,
     /// How often the run went over to another chart.
     pub chart_changes: usize,
+    /// How often the run passed a point where constraints lose their rank; see [`Crossing`](super::Crossing).
+    pub crossings: usize,
 }
 
 /// The most Gauss-Newton steps to speeds on which v depends nonlinearly.
@@ -104,10 +111,10 @@ impl<M: ConstrainedSystem> Trajectory<M> {
             velocities: alloc::vec![v],
             steps: Vec::new(),
             coefficients: Vec::new(),
-            stride: 0,
             residuals: Residuals::default(),
             counts: Vec::new(),
             events: Vec::new(),
+            meetings: Vec::new(),
             statistics: Statistics::default(),
         }
     }
@@ -119,8 +126,7 @@ impl<M: ConstrainedSystem> Trajectory<M> {
     }
 
     pub(super) fn push_step<P: Point>(&mut self, (start, length): (f64, f64), chart: Chart, coefficients: &[P]) {
-        self.stride = coefficients.len();
-        self.steps.push(Step { start, length, chart, first: self.coefficients.len() });
+        self.steps.push(Step { start, length, chart, first: self.coefficients.len(), stride: coefficients.len() });
         for point in coefficients {
             self.coefficients.extend((0..point.len()).map(|i| point.get(i)));
         }
@@ -135,6 +141,18 @@ impl<M: ConstrainedSystem> Trajectory<M> {
             Some((_, count)) => *count += 1,
             None => self.counts.push((chart, 1)),
         }
+    }
+
+    /// Counts losses of rank that were passed, and remembers where.
+    pub(super) fn pass(&mut self, (from, to): (f64, f64), strength: Strength, losses: usize) {
+        self.statistics.crossings += losses;
+        self.meetings.push((from, to, strength));
+    }
+
+    /// Where the rank is as good as lost at a time, in the inner tenth of where nothing was restored, what the rows were at best.
+    pub(super) fn meeting(&self, t: f64) -> Option<&Strength> {
+        let is_within = |from: f64, to: f64| (t - 0.5 * (from + to)).abs() <= 0.05 * (to - from);
+        self.meetings.iter().find(|(from, to, _)| is_within(*from, *to)).map(|(_, _, strength)| strength)
     }
 
     pub(super) fn record(&mut self, occurrence: Occurrence<M::State<f64>>) {
@@ -257,9 +275,9 @@ impl<M: ConstrainedSystem> Trajectory<M> {
         };
         let first = M::MODEL.state_coordinates.len();
         let length = first + carriers.count::<M>();
-        let coefficients = &self.coefficients[step.first..step.first + self.stride * length];
+        let coefficients = &self.coefficients[step.first..step.first + step.stride * length];
         let theta = (t - step.start) / step.length;
-        let entry = |i: usize| interpolate(self.stride, theta, |j| coefficients[j * length + i]);
+        let entry = |i: usize| interpolate(step.stride, theta, |j| coefficients[j * length + i]);
         let s = M::State::from_fn(|i| if i < length { entry(i) } else { 0.0 });
         let v = carriers.velocities(&self.model, t, &s, |i| entry(first + i));
         match step.chart {
@@ -278,10 +296,10 @@ impl<M: ConstrainedSystem> Clone for Trajectory<M> {
             velocities: self.velocities.clone(),
             steps: self.steps.clone(),
             coefficients: self.coefficients.clone(),
-            stride: self.stride,
             residuals: self.residuals,
             counts: self.counts.clone(),
             events: self.events.clone(),
+            meetings: self.meetings.clone(),
             statistics: self.statistics,
         }
     }
