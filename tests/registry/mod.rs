@@ -80,6 +80,9 @@ pub mod example_chaplygin_sleigh;
 #[path = "../../examples/curvature/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_curvature;
+#[path = "../../examples/four_bar/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_four_bar;
 #[path = "../../examples/heavy_top/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_heavy_top;
@@ -239,6 +242,9 @@ macro_rules! every_model {
                 SteeredParticle(m, g, kappa);
             "examples/chain/models.rs" example_chain:
                 Chain(m, l, g);
+            "examples/four_bar/models.rs" example_four_bar:
+                FourBar(a, b, c, d, m1, m2, m3, g)
+                ByRocker(a, b, c, d, m1, m2, m3, load, g);
             "examples/heavy_top/models.rs" example_heavy_top:
                 AngledTop(m, g, l, axial, across)
                 FreeTop(m, g, l, axial, across);
