@@ -92,6 +92,9 @@ pub mod example_puma;
 #[path = "../../examples/rattleback/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_rattleback;
+#[path = "../../examples/slider_crank/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_slider_crank;
 #[path = "../../examples/spherical_pendulum/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_spherical_pendulum;
@@ -255,6 +258,8 @@ macro_rules! every_model {
                 );
             "examples/rattleback/models.rs" example_rattleback:
                 Rattleback(m, a, b, c, h, ixx, iyy, izz, ixy, g);
+            "examples/slider_crank/models.rs" example_slider_crank:
+                SliderCrank(r, l, m1, m2, m3, g);
             "examples/spherical_pendulum/models.rs" example_spherical_pendulum:
                 OneChart(m, l, g)
                 ThreeCharts(m, l, g)
