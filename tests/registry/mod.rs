@@ -59,6 +59,9 @@ pub mod example_rolling_disk;
 pub mod example_geometric_disk;
 
 // The models of the other examples.
+#[path = "../../examples/andrews/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_andrews;
 #[path = "../../examples/appell_hamel/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_appell_hamel;
@@ -228,6 +231,12 @@ macro_rules! every_model {
                 Spherical(m, l, g)
                 SphericalInCharts(m, l, g)
                 SphericalInAngles(m, l, g);
+            "examples/andrews/models.rs" example_andrews:
+                Squeezer(
+                    m1, m2, m3, m4, m5, m6, m7, i1, i2, i3, i4, i5, i6, i7, xa, ya, xb, yb, xc, yc,
+                    d, da, e, ea, zf, zt, fa, rr, ra, ss, sa, sb, sc, sd, ta, tb, u, ua, ub, c0, l0,
+                    mom
+                );
             "examples/appell_hamel/models.rs" example_appell_hamel:
                 SteadySlope(m, g, a);
             "examples/bicycle/models.rs" example_bicycle:
