@@ -101,6 +101,9 @@ pub mod example_slider_crank;
 #[path = "../../examples/spherical_pendulum/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_spherical_pendulum;
+#[path = "../../examples/stewart/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_stewart;
 #[path = "../../examples/turntable/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_turntable;
@@ -273,6 +276,8 @@ macro_rules! every_model {
                 OneChart(m, l, g)
                 ThreeCharts(m, l, g)
                 InAngles(m, l, g);
+            "examples/stewart/models.rs" example_stewart:
+                Stewart(bx, by, px, py, m, r, mc, mr, l, k, s0, g);
             "examples/turntable/models.rs" example_turntable:
                 Turntable(m, r, w, a, b);
             "examples/rolling_disk/geometry.rs" example_geometric_disk:
