@@ -59,6 +59,9 @@ pub mod example_rolling_disk;
 pub mod example_geometric_disk;
 
 // The models of the other examples.
+#[path = "../../examples/andrews/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_andrews;
 #[path = "../../examples/appell_hamel/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_appell_hamel;
@@ -86,6 +89,9 @@ pub mod example_curvature;
 #[path = "../../examples/flyball/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_flyball;
+#[path = "../../examples/four_bar/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_four_bar;
 #[path = "../../examples/heavy_top/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_heavy_top;
@@ -95,9 +101,15 @@ pub mod example_puma;
 #[path = "../../examples/rattleback/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_rattleback;
+#[path = "../../examples/slider_crank/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_slider_crank;
 #[path = "../../examples/spherical_pendulum/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_spherical_pendulum;
+#[path = "../../examples/stewart/models.rs"]
+#[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
+pub mod example_stewart;
 #[path = "../../examples/turntable/models.rs"]
 #[allow(dead_code, missing_docs, clippy::duplicated_attributes, reason = "as the example has them")]
 pub mod example_turntable;
@@ -229,6 +241,12 @@ macro_rules! every_model {
                 Spherical(m, l, g)
                 SphericalInCharts(m, l, g)
                 SphericalInAngles(m, l, g);
+            "examples/andrews/models.rs" example_andrews:
+                Squeezer(
+                    m1, m2, m3, m4, m5, m6, m7, i1, i2, i3, i4, i5, i6, i7, xa, ya, xb, yb, xc, yc,
+                    d, da, e, ea, zf, zt, fa, rr, ra, ss, sa, sb, sc, sd, ta, tb, u, ua, ub, c0, l0,
+                    mom
+                );
             "examples/appell_hamel/models.rs" example_appell_hamel:
                 SteadySlope(m, g, a);
             "examples/bicycle/models.rs" example_bicycle:
@@ -250,6 +268,9 @@ macro_rules! every_model {
                 Chain(m, l, g);
             "examples/flyball/models.rs" example_flyball:
                 Governor(g, k, cd, l0, m_rod, l_rod, w_rod, off, m_ball, m_slider, b_slider);
+            "examples/four_bar/models.rs" example_four_bar:
+                FourBar(a, b, c, d, m1, m2, m3, g)
+                ByRocker(a, b, c, d, m1, m2, m3, load, g);
             "examples/heavy_top/models.rs" example_heavy_top:
                 AngledTop(m, g, l, axial, across)
                 FreeTop(m, g, l, axial, across);
@@ -260,10 +281,14 @@ macro_rules! every_model {
                 );
             "examples/rattleback/models.rs" example_rattleback:
                 Rattleback(m, a, b, c, h, ixx, iyy, izz, ixy, g);
+            "examples/slider_crank/models.rs" example_slider_crank:
+                SliderCrank(r, l, m1, m2, m3, g);
             "examples/spherical_pendulum/models.rs" example_spherical_pendulum:
                 OneChart(m, l, g)
                 ThreeCharts(m, l, g)
                 InAngles(m, l, g);
+            "examples/stewart/models.rs" example_stewart:
+                Stewart(bx, by, px, py, m, r, mc, mr, l, k, s0, g);
             "examples/turntable/models.rs" example_turntable:
                 Turntable(m, r, w, a, b);
             "examples/rolling_disk/geometry.rs" example_geometric_disk:

@@ -18,6 +18,10 @@ const SUSPECT: f64 = 1e-3;
 /// Coordinates of other kinds count with this weight in a guard's size at the start.
 const OTHERS: f64 = 1e-4;
 
+/// How far coordinates are moved to see how large a guard becomes, in parts of themselves: irrational, so that an angle of many whole
+/// turns is not moved by whole turns.
+const MOVED: [f64; 3] = [-0.381_966_011_250_105_1, 0.618_033_988_749_894_9, -0.732_050_807_568_877_3];
+
 /// The figures of a chart's guards in a state whose speeds are those of the chart.
 pub(super) fn figures<M: ConstrainedSystem, T: Scalar>(
     model: &Prepared<M, T>,
@@ -57,7 +61,8 @@ impl<M: ConstrainedSystem> Watch<M> {
     /// Starts watching, and judges the start.
     ///
     /// A guard alone does not tell whether it is small. At the start it is compared with how much it changes over the state's
-    /// coordinates and the time, so that cos θ at θ = π/2 counts as zero although rounding leaves 6e-17.
+    /// coordinates and the time, by its slopes but no more than it becomes there, so that cos θ at θ = π/2 counts as zero although
+    /// rounding leaves 6e-17.
     pub(crate) fn new(model: &Prepared<M>, chart: usize, t: f64, s: &M::State<f64>) -> Result<Self, Error> {
         let watch = Self::unjudged(model, chart, t, s)?;
         watch.check(t, figures(model, chart, t, s).into().as_ref())?;
@@ -79,16 +84,30 @@ impl<M: ConstrainedSystem> Watch<M> {
         let in_time = in_time.into();
         let change = in_time.as_ref()[..infos.len()].iter().map(|guard| (guard.derivative * t).abs());
         let mut sums = change.collect::<Vec<f64>>();
+        // Slopes say too much of what is bounded: a sine of an angle of a thousand turns does not change by a thousand.
+        let mut bounds = largest.clone();
+        let mut bound = |t: f64, s: &M::State<f64>| {
+            let array = figures(model, chart, t, s).into();
+            for (bound, guard) in bounds.iter_mut().zip(array.as_ref()) {
+                // Where it is not defined, the slopes have the word.
+                *bound = bound.max(if guard.is_nan() { f64::INFINITY } else { guard.abs() });
+            }
+        };
+        MOVED.iter().for_each(|part| bound(t + part * t, s));
         for (j, q) in coordinates.iter().enumerate() {
             let seeded = convert(s, |i, value| Dual::new(value, if i == j { 1.0 } else { 0.0 }));
             let array = figures(&dual, chart, Dual::constant(t), &seeded).into();
+            let far = q.abs().max(OTHERS * reach);
             for (sum, guard) in sums.iter_mut().zip(array.as_ref()) {
-                *sum += guard.derivative.abs() * q.abs().max(OTHERS * reach);
+                *sum += guard.derivative.abs() * far;
             }
+            let moved = |part: &f64| convert(s, |i, value| if i == j { value + part * far } else { value });
+            MOVED.iter().for_each(|part| bound(t, &moved(part)));
         }
-        for (largest, sum) in largest.iter_mut().zip(sums) {
-            if sum.is_finite() {
-                *largest = largest.max(sum);
+        for (largest, (sum, bound)) in largest.iter_mut().zip(sums.into_iter().zip(bounds)) {
+            let size = sum.min(bound);
+            if size.is_finite() {
+                *largest = largest.max(size);
             }
         }
         let negative = guards.iter().map(|guard| *guard < 0.0).collect();
