@@ -259,7 +259,7 @@ fn slider_crank_of_equal_lengths_through_its_crossings() {
     let model = from_json!(golden["parameters"], CrankAndSlider { l: "l", m1: "m1", m2: "m2", m3: "m3", g: "g" });
     let model = model.prepare().expect("the parameters are good");
     let rows = list(&case(&golden, "smooth_branch")["expected"]);
-    let figure = |row: &serde_json::Value, name: &str| numbers(&row[name])[0];
+    let figure = |row: &Value, name: &str| numbers(&row[name])[0];
     let start = |row, sign: f64| CrankAndSliderState {
         alpha: figure(row, "alpha"),
         beta: figure(row, "beta"),
