@@ -53,10 +53,11 @@ fn rows_that_depend_on_each_other_at_the_start() {
         struct Folded { #[nominal(0.25)] k: f64 }
     });
     assert!(
-        message.contains("constraint `second` depends on the others at the start: its rates are those of"),
+        message
+            .starts_with("constraint `second` depends on the others wherever these hold: at the start its rates are"),
         "{message}"
     );
-    assert!(message.contains("`together` + 2*`first` there"), "{message}");
+    assert!(message.contains("`together` + 2*`first`, and so beside it"), "{message}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::carriers::{CarriedRow, Carriers, carried, carriers};
 use super::constraints::{DifferentiatedRow, differentiate};
 use super::dependence::{Sorted, sort};
-use super::{Simplifier, bodies, lagrange, messages};
+use super::{Simplifier, bodies, lagrange, messages, overconstrained};
 use crate::model::InitialSystem;
 use crate::syntax::Diagnostics;
 
@@ -36,12 +36,13 @@ pub fn binding(
     }
     let rows = differentiate(system);
     let n = system.speeds.len();
-    let sorted = sort(&mut system.graph, simplifier, &rows, n, errors);
+    let mut sorted = sort(&mut system.graph, simplifier, &rows, n, errors);
     let carriers = carriers(system, simplifier);
     let second_stage = check_configuration(system, simplifier, &rows, &carriers, errors);
     if !errors.is_empty() {
         return None;
     }
+    overconstrained::take_out(system, &rows, &carriers, &mut sorted);
     let (carried, overlapping) = carried(system, simplifier, &rows, &sorted.kept, &carriers, errors);
     errors.is_empty().then_some(Binding { rows, sorted, carriers, carried, overlapping, second_stage })
 }

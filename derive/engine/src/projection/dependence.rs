@@ -18,13 +18,16 @@ pub struct Merged {
     pub combination: Vec<(usize, Expr)>,
 }
 
-/// A row that depends on others and may: C_r = Σ coefficient·row. It stands in C and carries a share of the reaction.
+/// A row that depends on others and may: C_r = Σ coefficient·row, identically or where the constraints hold. It stands in C and
+/// carries a share of the reaction.
 #[derive(Clone, Debug)]
 pub struct Redundant {
     /// The row.
     pub row: usize,
-    /// Its combination, over rows that are kept.
-    pub combination: Vec<(usize, Expr)>,
+    /// Its combination, over rows that are kept; `None` until pivots tell it, where it holds on the manifold alone.
+    pub combination: Option<Vec<(usize, Expr)>>,
+    /// Whether it depends on the others only where these hold, as the start shows.
+    pub on_manifold: bool,
     /// What must vanish on the motions for it to say the same as its combination.
     pub excess: Expr,
 }
@@ -140,7 +143,7 @@ fn relate(
         let text = text_of(graph, rows, &parts);
         let (excess, of_velocities) = excess(graph, rows, row, &parts);
         if row.redundant && !contradicts_at_rest(graph, rows, row, &parts) {
-            redundant.push(Redundant { row: *i, combination: parts, excess });
+            redundant.push(Redundant { row: *i, combination: Some(parts), on_manifold: false, excess });
         } else if row.redundant {
             errors.report(row.span, messages::contradictory_positions(&row.name, &text));
         } else if !graph.vanishes(excess) {
@@ -189,10 +192,10 @@ pub fn check_redundant(
     on_motions: impl Fn(&mut Graph, Expr) -> Expr,
     errors: &mut Diagnostics,
 ) {
-    for Redundant { row, combination, excess } in &sorted.redundant {
+    for Redundant { row, combination, excess, .. } in &sorted.redundant {
         let excess = on_motions(graph, *excess);
         if !graph.vanishes(excess) {
-            let text = text_of(graph, rows, combination);
+            let text = text_of(graph, rows, combination.as_deref().unwrap_or_default());
             let excess = simplifier.one(graph, excess);
             let message = messages::redundant_but_different(&rows[*row].name, &text, &graph.display(excess));
             errors.report(rows[*row].span, message);
@@ -205,10 +208,15 @@ pub fn notes(graph: &Graph, rows: &[DifferentiatedRow], sorted: &Sorted) -> Vec<
     let marked = rows.iter().enumerate().filter(|(_, row)| row.redundant);
     marked
         .map(|(i, row)| match sorted.redundant.iter().find(|redundant| redundant.row == i) {
+            Some(Redundant { on_manifold: true, .. }) => format!(
+                "`{}` depends on the other rows wherever these hold, as the start and configurations beside it show; they share \
+                 the reaction with the least sum of squares",
+                row.name
+            ),
             Some(redundant) => format!(
                 "`{}` depends on the other rows: it is {}; they share the reaction with the least sum of squares",
                 row.name,
-                text_of(graph, rows, &redundant.combination)
+                text_of(graph, rows, redundant.combination.as_deref().unwrap_or_default())
             ),
             None => {
                 format!("`{}` is marked as redundant, but independent of the other rows: it is a row as any", row.name)

@@ -9,6 +9,7 @@
 use super::carriers::{CarriedRow, Carriers};
 use super::constraints::DifferentiatedRow;
 use super::messages;
+use super::overconstrained::repeat;
 use super::start::{Start, dot};
 use super::tangent::Tangent;
 use crate::model::InitialSystem;
@@ -20,7 +21,7 @@ const VANISHES: f64 = 1e-9;
 
 /// Rows of which less than this is left beside the others depend on them. Where they do so at a point, Newton's method reaches
 /// the point to half of the digits.
-const DEPENDS: f64 = 1e-6;
+pub const DEPENDS: f64 = 1e-6;
 
 /// Judges the start itself, the rows at it, and the pivots of the tangent basis at it; gives the start, closed.
 pub fn judge(
@@ -46,7 +47,11 @@ pub fn judge(
     {
         let name = |at: usize| rows[kept[carried[at].row]].name.as_str();
         let parts: Vec<(&str, f64)> = weights.iter().map(|(at, weight)| (name(*at), *weight)).collect();
-        errors.report(rows[kept[carried[row].row]].span, messages::dependent_at_start(name(row), &parts));
+        let dependent = kept[carried[row].row];
+        let everywhere =
+            carriers.partial_velocities.is_none() && repeat(system, rows, carriers, &start, (kept, &[dependent]));
+        let message = if everywhere { messages::overconstrained } else { messages::dependent_at_start };
+        errors.report(rows[dependent].span, message(name(row), &parts));
         return start;
     }
     let Some(elimination) = &tangent.elimination else { return start };
@@ -109,7 +114,7 @@ fn rounded(value: f64) -> f64 {
 }
 
 /// The values of expressions, zero where they vanish among their terms; `None` where one is not known.
-fn numbers(start: &Start, graph: &Graph, entries: &[Expr]) -> Option<Vec<f64>> {
+pub fn numbers(start: &Start, graph: &Graph, entries: &[Expr]) -> Option<Vec<f64>> {
     let number = |e: &Expr| {
         let (value, size) = start.knows(graph, *e).then(|| start.value(graph, *e))?;
         let zero = value.abs() <= VANISHES * size;

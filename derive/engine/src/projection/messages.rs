@@ -95,16 +95,30 @@ pub(crate) fn start_not_closed(open: &[(&str, f64)]) -> String {
 
 /// Rows that are independent elsewhere depend on each other at the start.
 pub(crate) fn dependent_at_start(name: &str, parts: &[(&str, f64)]) -> String {
+    format!(
+        "constraint `{name}` depends on the others at the start: its rates are those of {} there, so that no \
+         choice of speeds determines the motion; start elsewhere",
+        weighted(parts)
+    )
+}
+
+/// Rows that are independent elsewhere depend on each other wherever they hold.
+pub(crate) fn overconstrained(name: &str, parts: &[(&str, f64)]) -> String {
+    format!(
+        "constraint `{name}` depends on the others wherever these hold: at the start its rates are those of {}, and so beside it; \
+         write `redundant` behind it, for reactions of the least sum of squares, or leave it out",
+        weighted(parts)
+    )
+}
+
+/// `2*a + 0.5*b` over names of rows.
+fn weighted(parts: &[(&str, f64)]) -> String {
     let terms = parts.iter().map(|(name, weight)| match format!("{weight:.3}").as_str() {
         "1.000" => format!("`{name}`"),
         "-1.000" => format!("-`{name}`"),
         text => format!("{}*`{name}`", text.trim_end_matches('0').trim_end_matches('.')),
     });
-    let combination = if parts.is_empty() { "0".to_owned() } else { terms.collect::<Vec<_>>().join(" + ") };
-    format!(
-        "constraint `{name}` depends on the others at the start: its rates are those of {combination} there, so that no \
-         choice of speeds determines the motion; start elsewhere"
-    )
+    if parts.is_empty() { "0".to_owned() } else { terms.collect::<Vec<_>>().join(" + ") }
 }
 
 /// What the start says of a chart.

@@ -6,6 +6,7 @@
 //! | [`lagrange`] | the inertia terms of h* from the kinetic energy |
 //! | [`constraints`] | rows differentiated to C v̇ + c0* = 0 (2.5), (2.6) |
 //! | [`dependence`] | which rows are independent, which repeat others, which contradict |
+//! | [`overconstrained`] | which rows repeat others where the constraints hold |
 //! | [`elimination`] | C_d⁻¹ by Gauss-Jordan on the arena, pivots recorded |
 //! | [`pivots`] | which entry to divide by next |
 //! | [`carriers`] | partial velocities of a configuration (4.9), and the rows that still bind |
@@ -52,6 +53,7 @@ pub mod lagrange;
 pub(crate) mod messages;
 pub mod motion;
 pub mod outputs;
+pub mod overconstrained;
 pub mod pivots;
 pub mod project;
 pub mod reactions;

@@ -9,6 +9,7 @@ use super::dynamics::to_state;
 use super::equations::Equations;
 use super::judge::{figure, judge, relative_pivot};
 use super::outputs::{bind, outputs};
+use super::overconstrained::relate;
 use super::reactions::{Motion, rates as rates_of, reactions, shared};
 use super::tangent::tangent;
 use super::{Simplifier, constraints::DifferentiatedRow, messages};
@@ -24,7 +25,7 @@ pub const TANGENT_PIVOT: &str =
 pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Result<Equations, Diagnostics> {
     let mut errors = Diagnostics::new();
     let Some(binding) = binding(&mut system, simplifier, &mut errors) else { return Err(errors) };
-    let Binding { rows, sorted, carriers, carried, overlapping, second_stage } = binding;
+    let Binding { rows, mut sorted, carriers, carried, overlapping, second_stage } = binding;
     let n = system.speeds.len();
     let before = system.graph.assumptions();
     let tangent = tangent(&mut system, simplifier, &rows, &sorted.kept, &carried, &carriers, 0, &mut errors);
@@ -40,6 +41,7 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     if !errors.is_empty() {
         return Err(errors);
     }
+    relate(&mut system, simplifier, &rows, &carried, &tangent, &mut sorted);
     let on_motions = |graph: &mut Graph, e: Expr| to_state(graph, &carriers, &tangent, &[e])[0];
     check_redundant(&mut system.graph, simplifier, &rows, &sorted, on_motions, &mut errors);
     if !errors.is_empty() {

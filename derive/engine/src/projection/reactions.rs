@@ -129,7 +129,7 @@ pub fn shared(
     let mut weights = Vec::with_capacity(sorted.redundant.len());
     for redundant in &sorted.redundant {
         let mut row = vec![zero; m];
-        for (j, coefficient) in &redundant.combination {
+        for (j, coefficient) in redundant.combination.iter().flatten() {
             if let Some(position) = sorted.kept.iter().position(|kept| kept == j) {
                 let coefficient = on_motions(graph, *coefficient);
                 row[position] = simplifier.one(graph, coefficient);

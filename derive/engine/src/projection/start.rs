@@ -20,6 +20,10 @@ const SPENT: f64 = 1e-10;
 const STEPS: usize = 100;
 const HALVINGS: usize = 30;
 
+/// How far values beside the start are from it, as a fraction of each, and of those that are zero.
+const BESIDE: f64 = 0.02;
+const LEAST: f64 = 1e-3;
+
 /// Values of coordinates, speeds and parameters at t = 0, where the model names them.
 #[derive(Clone, Debug)]
 pub struct Start {
@@ -33,6 +37,19 @@ impl Start {
         values.insert(system.time, 0.0);
         values.insert(system.graph.pi_symbol(), std::f64::consts::PI);
         Start { values }
+    }
+
+    /// Values near these, a little later: as many different ones as are asked for. Nothing of them is closed.
+    pub fn beside(&self, system: &InitialSystem, at: usize) -> Self {
+        let mut near = self.clone();
+        for (place, (symbol, _)) in system.start.iter().enumerate() {
+            let value = near.values.entry(*symbol).or_default();
+            // the golden section spreads them between -1 and 1
+            let drawn = 2.0 * (0.618_034 * ((place + 1) * at) as f64 + 0.37 * at as f64).fract() - 1.0;
+            *value += drawn * (BESIDE * value.abs() + LEAST);
+        }
+        near.values.insert(system.time, LEAST * at as f64);
+        near
     }
 
     /// Whether there is a value for everything that an expression depends on.
