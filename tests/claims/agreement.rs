@@ -1,6 +1,7 @@
 //! A random model as a derivation has it, at a few states, against the oracle.
 
 use super::evaluated::Evaluated;
+use super::states::guess;
 use crate::support::splitmix::SplitMix;
 use holonomy_engine::projection::Equations;
 use oracle::{Report, System, check, classes, closed, onto_nonlinear_rows, read_models};
@@ -43,7 +44,7 @@ pub fn agrees(
         let evaluated = Evaluated { equations: &equations, system: &system };
         let state = |random: &mut SplitMix| {
             let t = random.between(0.0, 2.0);
-            let q = closed(&system, t, &random.vector(declared.state_coordinates().len(), -1.0, 1.0))?;
+            let q = closed(&system, t, &guess(&declared, random, [-1.0, 1.0]))?;
             let u = random.vector(equations.state_speeds.len(), -1.0, 1.0);
             let x = system.coordinates(t, &q);
             let u = onto_nonlinear_rows(&system, t, &x, &u, |u| evaluated.velocities(t, &q, u))?;

@@ -6,7 +6,7 @@ use holonomy::{ConstrainedSystem, Prepared, Vector};
 use oracle::{Declaration, System, closed, onto_nonlinear_rows};
 
 /// A point near the start that the model names, or near one of order one.
-fn guess(declared: &Declaration, random: &mut SplitMix, [low, high]: [f64; 2]) -> Vec<f64> {
+pub fn guess(declared: &Declaration, random: &mut SplitMix, [low, high]: [f64; 2]) -> Vec<f64> {
     let coordinate = |x: &String| match declared.start.get(x) {
         Some(start) => start + random.between(-0.1, 0.1),
         None => random.between(low, high),

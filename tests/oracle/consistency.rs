@@ -6,6 +6,9 @@ use super::number::{Dual, Number};
 use super::system::System;
 use nalgebra::{DMatrix, DVector};
 
+/// Directions below this part of the largest are none while a configuration is closed.
+const DEPENDS: f64 = 1e-6;
+
 /// Coordinates near the given ones with f(x, t) = 0 for every position row, or `None` if Newton's method does not close.
 ///
 /// The least change of coordinates in each step; nothing is done with a configuration, whose coordinates are free.
@@ -20,7 +23,9 @@ pub fn closed(system: &System<'_>, t: f64, start: &[f64]) -> Option<Vec<f64>> {
         let f = DVector::from_iterator(rows.len(), rows.iter().map(|&row| system.position(row, t, &x)));
         let slope = |i: usize, j: usize| system.position(rows[i], Dual::fixed(t), &seeded(&x, j)).rate;
         let jacobian = DMatrix::from_fn(rows.len(), x.len(), slope);
-        let step = jacobian.svd(true, true).solve(&f, 1e-12).ok()?;
+        // rows that depend on others where all hold are nearly dependent nearby, and say nothing that the others do not say
+        let svd = jacobian.svd(true, true);
+        let step = svd.solve(&f, DEPENDS * svd.singular_values.max()).ok()?;
         x.iter_mut().zip(step.iter()).for_each(|(x, step)| *x -= step);
         if x.iter().any(|x| !x.is_finite()) {
             return None;

@@ -205,7 +205,8 @@ fn solve_regular(matrix: &DMatrix<f64>, vector: &DVector<f64>) -> (DVector<f64>,
 pub fn roots(inertia: &DMatrix<f64>) -> DVector<f64> {
     let diagonal = inertia.diagonal();
     let heaviest = diagonal.iter().copied().fold(0.0, f64::max);
-    diagonal.map(|own| (if own > 0.0 { own } else { heaviest }).sqrt())
+    // what is left of a rod about its own axis is rounding
+    diagonal.map(|own| (if own > RANK * RANK * heaviest { own } else { heaviest }).sqrt())
 }
 
 /// The rank of a matrix and the condition of what it keeps.

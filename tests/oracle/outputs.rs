@@ -76,7 +76,7 @@ impl Compared<'_> {
     }
 
     /// λ by name. The name of a row that is merged with another one has the share that its gradient has of that row's.
-    fn named_reactions(&self) -> Vec<(String, Entry)> {
+    pub(super) fn named_reactions(&self) -> Vec<(String, Entry)> {
         let (expected, bound) = self.multipliers();
         let carried: Vec<&str> =
             self.claim.carried_rows().iter().map(|(row, _)| self.claim.row_names[*row].as_str()).collect();

@@ -7,8 +7,9 @@ use super::statements;
 use super::system::{System, lift};
 use crate::splitmix::SplitMix;
 use std::collections::{BTreeMap, BTreeSet};
+use syn::punctuated::Punctuated;
 use syn::visit::Visit;
-use syn::{Attribute, Expr, Fields, Item, ItemStruct, Type};
+use syn::{Attribute, Expr, Fields, Item, ItemStruct, Token, Type};
 
 /// Every struct of the text that derives `ConstrainedSystem`.
 ///
@@ -48,7 +49,7 @@ fn read(item: &ItemStruct) -> Declaration {
     model
 }
 
-/// Fields of numbers, and of arrays of numbers, whose entries have the nominal value in common.
+/// Fields of numbers, and of arrays of numbers, whose entries have one nominal value in common or one each.
 fn read_fields(model: &mut Declaration, fields: &Fields) {
     for field in fields {
         let Some(name) = &field.ident else { continue };
@@ -62,8 +63,11 @@ fn read_fields(model: &mut Declaration, fields: &Fields) {
             _ => continue,
         };
         let nominal = field.attrs.iter().find(|a| a.path().is_ident("nominal"));
-        let nominal = nominal.map(|a| statements::number(&a.parse_args::<Expr>().expect("a nominal value")));
-        model.parameters.extend(names.into_iter().map(|name| (name, nominal)));
+        let values = |a: &Attribute| a.parse_args_with(Punctuated::<Expr, Token![,]>::parse_terminated);
+        let values =
+            nominal.map(|a| values(a).expect("nominal values").iter().map(statements::number).collect::<Vec<_>>());
+        let of = |i: usize| values.as_ref().map(|values| if values.len() == 1 { values[0] } else { values[i] });
+        model.parameters.extend(names.into_iter().enumerate().map(|(i, name)| (name, of(i))));
     }
 }
 

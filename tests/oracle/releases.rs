@@ -27,10 +27,22 @@ impl Compared<'_> {
             &[self.claim.coordinates.as_slice(), &zeros].concat(),
             &[self.claim.velocities.as_slice(), &zeros].concat(),
         );
-        // other rows pull along ε as well
-        let (first, row) = (self.claim.velocities.len(), motion.multipliers.len() - releases.len());
+        // with the multipliers of the model itself: where rows depend on each other what holds ε would share in them otherwise
+        let (first, rows) = (
+            self.claim.velocities.len(),
+            system.rows(
+                self.claim.t,
+                &[self.claim.coordinates.as_slice(), &zeros].concat(),
+                &[self.claim.velocities.as_slice(), &zeros].concat(),
+            ),
+        );
+        let known = self.named_reactions();
+        let lambda =
+            |name: &String| known.iter().find(|(other, _)| other == name).map_or(0.0, |(_, entry)| entry.value);
         let of = |(i, release): (usize, &Record)| {
-            let (value, error) = (motion.multipliers[row + i], motion.reaction_error[first + i]);
+            let pulled: f64 =
+                rows.names.iter().enumerate().map(|(row, name)| rows.c[(row, first + i)].value * lambda(name)).sum();
+            let (value, error) = (motion.reaction[first + i] - pulled, motion.reaction_error[first + i]);
             (release.name.clone(), Scaled { value, size: value.abs().max(error / UNIT) })
         };
         releases.iter().enumerate().map(of).collect()

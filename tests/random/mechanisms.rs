@@ -62,7 +62,7 @@ pub(super) struct Tree {
 }
 
 impl Tree {
-    fn new(writer: Writer, kind: &'static str) -> Self {
+    pub(super) fn new(writer: Writer, kind: &'static str) -> Self {
         Self {
             writer,
             kind,
@@ -121,7 +121,7 @@ impl Tree {
     }
 
     pub(super) fn plane(&self) -> bool {
-        matches!(self.kind, "tree in the plane" | "knife edge")
+        matches!(self.kind, "tree in the plane" | "knife edge" | "closed in the plane")
     }
 
     /// An axis about which a frame may turn: by name, or as a unit vector fixed in it.

@@ -5,6 +5,9 @@
 #![allow(dead_code, unused_imports, reason = "every test file uses its own part")]
 
 mod charts;
+mod closed;
+mod closed_pose;
+mod closed_redundant;
 mod constraints;
 mod crate_text;
 mod expression;
@@ -18,6 +21,7 @@ mod mechanisms;
 mod rows;
 mod statements;
 
+pub use closed::closed_mechanism;
 pub use crate_text::crate_text;
 pub use generate::{KINDS, RandomModel, generate};
 pub use mechanism_quaternions::quaternion_mechanism;

@@ -9,7 +9,7 @@
 use super::carriers::{CarriedRow, Carriers};
 use super::constraints::DifferentiatedRow;
 use super::messages;
-use super::overconstrained::repeat;
+use super::overconstrained::{BESIDE, repeat};
 use super::start::{Start, dot};
 use super::tangent::Tangent;
 use crate::model::InitialSystem;
@@ -60,7 +60,7 @@ pub fn judge(
             continue;
         }
         let (v, size) = start.value(graph, *pivot);
-        if !v.is_finite() || v.abs() > VANISHES * size {
+        if !v.is_finite() || v.abs() > VANISHES * size || is_usual(system, rows, carriers, &start, (*pivot, v)) {
             continue;
         }
         let better = gradients.as_ref().and_then(|gradients| line(system, carriers, gradients.clone()));
@@ -74,6 +74,25 @@ pub fn judge(
         return start;
     }
     start
+}
+
+/// Whether the value of a pivot at the start is no smaller than beside it.
+///
+/// The terms of a pivot that other pivots stand in are larger, step by step, than what becomes of them: that it is small among these
+/// tells nothing alone.
+fn is_usual(
+    system: &InitialSystem,
+    rows: &[DifferentiatedRow],
+    carriers: &Carriers,
+    start: &Start,
+    (pivot, value): (Expr, f64),
+) -> bool {
+    let largest = (1..=BESIDE).try_fold(0.0, |largest: f64, at| {
+        let mut near = start.beside(system, at);
+        let closed = near.close(system, rows, carriers).is_ok();
+        closed.then(|| largest.max(near.value(&system.graph, pivot).0.abs()))
+    });
+    largest.is_some_and(|largest| largest.is_finite() && value.abs() > DEPENDS * largest)
 }
 
 /// The relative pivot of a chart at the start; `None` where the start does not tell, or where nothing was chosen.

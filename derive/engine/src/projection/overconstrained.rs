@@ -20,7 +20,7 @@ use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Graph, Matrix, Symbol};
 
 /// Configurations beside the start at which dependence is looked at.
-const BESIDE: usize = 3;
+pub const BESIDE: usize = 3;
 
 /// A row with at least this part of the most that is left of any is taken before later ones.
 const ENOUGH: f64 = 0.3;
@@ -52,12 +52,8 @@ pub fn take_out(system: &InitialSystem, rows: &[DifferentiatedRow], carriers: &C
         on_manifold: true,
         excess,
     }));
-    for redundant in &mut sorted.redundant {
-        // a combination that holds identically, but of rows that have just left
-        if redundant.combination.iter().flatten().any(|(j, _)| !sorted.kept.contains(j)) {
-            redundant.combination = None;
-        }
-    }
+    // Combinations that hold identically were found by pivots of the rows that have just left, which vanish where all rows hold.
+    sorted.redundant.iter_mut().for_each(|redundant| redundant.combination = None);
 }
 
 /// The marked rows of which nothing is left beside the firm ones and the best of the marked ones; `None` where they have no numbers.
