@@ -163,9 +163,14 @@ pub struct Kite {
 #[particle(crank = { at: P, mass: mp }, joint = { at: S, mass: m })]
 #[gravity(-g*N.y)]
 pub struct KiteAlone {
+    #[nominal(1)]
     pub a: f64,
+    #[nominal(1.7)]
     pub b: f64,
+    #[nominal(2)]
     pub mp: f64,
+    #[nominal(0.7)]
     pub m: f64,
+    #[nominal(9.81)]
     pub g: f64,
 }

@@ -24,6 +24,8 @@ pub mod combined;
 pub mod coupled;
 #[path = "../models/linkages.rs"]
 pub mod linkages;
+#[path = "../models/meeting.rs"]
+pub mod meeting;
 #[path = "../models/spherical.rs"]
 pub mod spherical;
 
@@ -216,6 +218,15 @@ macro_rules! every_model {
                     d, da, e, ea, zf, zt, fa, rr, ra, ss, sa, sb, sc, sd, ta, tb, u, ua, ub, c0,
                     l0, mom
                 );
+            "tests/models/meeting.rs" meeting:
+                Parallelogram(l, d, m1, m2, g)
+                AsPendulum(l, m1, m2, g)
+                CrankOnCart(l, m0, m1, m2, m3, g, k, l0)
+                CrankOnCartAlone(l, m0, m1, m2, m3, g, k, l0)
+                Wires(m, gap)
+                Cusp(m)
+                Kite(a, b, mp, m, g)
+                KiteAlone(a, b, mp, m, g);
             "tests/models/particles.rs" particles:
                 Pendulum(m, l, g)
                 HangingPendulum(m, l, g)
