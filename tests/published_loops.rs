@@ -16,7 +16,7 @@ use flyball::Governor;
 use holonomy::Error;
 use holonomy::differential_equations::Equations;
 use holonomy::prelude::*;
-use loops::{Axle, CrankAndSlider, CrankAndSliderState, FourBarOfRods, Squeezer};
+use loops::{Axle, CrankAndSlider, CrankAndSliderState, FourBarOfRods, SixHinges, Squeezer};
 use serde_json::Value;
 use support::andrews::andrews;
 use support::golden::{assert_close, assert_close_at, case, from_json, list, numbers, parse, picked};
@@ -146,6 +146,32 @@ fn bricards_mechanism() {
             // with the row that is not written
             let told = mechanism.0.outputs(0.0, &mechanism.state(&moved), &[]);
             assert!(told.axis_y.abs().max(told.axis_z.abs()) <= IN_MOTION, "the axis {place}");
+        }
+    }
+}
+
+/// The same by its six hinges: the engine finds the row that is one too many, and the reactions are those of least norm.
+#[test]
+fn bricards_mechanism_by_its_hinges() {
+    let golden = parse(include_str!("data/bricard.json"));
+    let mechanism = Running::new(from_json!(golden["parameters"], SixHinges { m: "m", l: "l", b: "b", g: "g" }));
+    let redundant: Vec<&str> = SixHinges::MODEL.rows.iter().filter(|row| row.redundant).map(|row| row.name).collect();
+    assert_eq!((SixHinges::MODEL.rows.len(), redundant.len()), (5, 1), "{redundant:?}");
+    let rows = list(&case(&golden, "library_run")["expected"]);
+    let state = |row: &Value| [numbers(&row["joint_angles_1_to_5"]), vec![numbers(&row["joint_rates"])[0]]].concat();
+    let (start, times) = (state(&rows[0]), times(rows));
+    for ((t, y), row) in times.iter().zip(mechanism.run(&start, &times, 0.01)).zip(rows) {
+        let place = format!("at {t}");
+        let at = state(row);
+        let rates = numbers(&row["joint_rates"]);
+        assert_close_at(&place, &mechanism.velocities(0.0, &at), &rates, AT_A_STATE, 1.0);
+        let accelerations = numbers(&row["joint_accelerations"]);
+        assert_close(&place, &mechanism.velocity_rates(0.0, &at), &accelerations, AT_A_STATE);
+        let reaction = numbers(&row["generalised_reaction"]);
+        assert_close(&place, mechanism.reaction(0.0, &at).as_slice(), &reaction, AT_A_STATE);
+        let (x, v) = (mechanism.coordinates(0.0, &y), mechanism.velocities(0.0, &y));
+        for (found, expected) in x.iter().chain(&v).zip(at[..5].iter().chain(&rates)) {
+            assert!((found - expected).abs() <= IN_MOTION, "{found} instead of {expected} {place}");
         }
     }
 }

@@ -4,8 +4,9 @@ use holonomy::ConstrainedSystem;
 
 /// Bricard's mechanism: five rods in a row on five hinges, J[0] … J[4], and a sixth hinge, J[5], that closes them to the ground.
 ///
-/// The sixth hinge would be `revolute(J[5], S, E.x, N.x)`: its place, and two rows that keep its axis. These five are of rank four
-/// wherever the loop is closed, and of rank five elsewhere; so of the two rows of the axis one stands here, and the other follows.
+/// The sixth hinge is `revolute(J[5], S, E.x, N.x)`: its place, and two rows that keep its axis. These five are of rank four wherever
+/// the loop is closed, and of rank five elsewhere. With `redundant` behind it the row too many is found at the start, and shares in
+/// the reactions; here the four rows stand that are enough, in axes in which they are cheapest.
 #[derive(ConstrainedSystem, Clone, Debug)]
 #[size(n = 6)]
 #[coordinates(a1, a2, a3, a4, a5)]

@@ -184,7 +184,8 @@ macro_rules! every_model {
                     mom
                 )
                 CrankAndSlider(l, m1, m2, m3, g)
-                Axle(eps, m, l, l0, r, w, g);
+                Axle(eps, m, l, l0, r, w, g)
+                SixHinges(m, l, b, g);
             "tests/models/geometry/rods.rs" rods:
                 TwoRods(m, l, g)
                 FiveRods(m, l, g)

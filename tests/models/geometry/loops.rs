@@ -209,3 +209,33 @@ pub struct Axle {
     #[nominal(1)]
     pub g: f64,
 }
+
+/// Bricard's mechanism as one says it: five rods on five hinges, the sixth of which closes the loop. One of its rows says nothing new
+/// wherever it is closed; that is found at the start.
+#[derive(ConstrainedSystem, Clone, Debug)]
+#[size(n = 6)]
+#[coordinates(a1, a2, a3, a4, a5)]
+#[frame(A = revolute(N, y, a1), B = revolute(A, z, a2), C = revolute(B, x, a3), D = revolute(C, y, a4))]
+#[frame(E = revolute(D, z, a5))]
+#[point(J[0] = O, J[1] = J[0] + l*A.x, J[2] = J[1] - l*B.y, J[3] = J[2] + l*C.z, J[4] = J[3] - l*D.x, J[5] = J[4] + l*E.y)]
+#[body(
+    first = { frame: A, center: J[0] + l/2*A.x, mass: m, inertia: cuboid(m, l, b, b) },
+    second = { frame: B, center: J[1] - l/2*B.y, mass: m, inertia: cuboid(m, b, l, b) },
+    third = { frame: C, center: J[2] + l/2*C.z, mass: m, inertia: cuboid(m, b, b, l) },
+    fourth = { frame: D, center: J[3] - l/2*D.x, mass: m, inertia: cuboid(m, l, b, b) },
+    fifth = { frame: E, center: J[4] + l/2*E.y, mass: m, inertia: cuboid(m, b, l, b) },
+)]
+#[gravity(-g*N.y)]
+#[constraint(sixth: revolute(J[5], O + l*N.z, E.x, N.x), redundant)]
+#[independent(dot(a1))]
+#[start(a1 = 0.5, a2 = -0.33, a3 = 0.5, a4 = -0.33, a5 = 0.5)]
+pub struct SixHinges {
+    #[nominal(1)]
+    pub m: f64,
+    #[nominal(1)]
+    pub l: f64,
+    #[nominal(0.1)]
+    pub b: f64,
+    #[nominal(9.81)]
+    pub g: f64,
+}
