@@ -7,10 +7,13 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/drift.rs"]
+mod drift;
 mod models;
 
 use common::checks::Checks;
 use common::picture::{Panel, draw};
+use drift::drift;
 use holonomy::prelude::*;
 use holonomy::simulate::Event;
 use models::{Bricard, BricardOutputs, BricardState};
@@ -71,6 +74,13 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
         let off = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         checks.below(&format!("the third hinge at {t} s against the published place / m"), off, 1e-9);
     }
+
+    println!("\nUndriven for 1,000 s at a relative tolerance of 1e-10");
+    let long = loop_of_rods.simulate(start).tolerance(1e-10, 1e-10).dense(false).until(1000.0)?;
+    let lost = drift(&loop_of_rods, &long);
+    println!("{} steps, {} changes of the chart", long.statistics().accepted, long.statistics().chart_changes);
+    checks.below("residuals at the end of any step (relative)", lost.residual, 1e-10);
+    checks.below("energy (of the largest kinetic one)", lost.energy, 1e-7);
 
     // From above and aside: z comes out of the paper, to the left and down.
     let seen = |x: f64, y: f64, z: f64| (x - 0.45 * z, y - 0.3 * z);
