@@ -50,7 +50,8 @@ impl Form {
     fn names(&self) -> Vec<String> {
         let e = &self.equations;
         let of_state = [&e.inputs, &e.state_coordinates, &e.state_speeds, &e.coordinates, &e.speeds, &e.carriers];
-        let symbols = of_state.into_iter().flatten().chain(&e.outputs.carrier_rates).chain([&e.time]);
+        let rates = e.velocity_rate_symbols.iter().chain(&e.outputs.carrier_rates);
+        let symbols = of_state.into_iter().flatten().chain(rates).chain([&e.time]);
         let of_charts = e.charts.iter().flat_map(|chart| &chart.speeds);
         let reactions = e.outputs.reactions.iter().map(|(symbol, _)| symbol);
         symbols.chain(of_charts).chain(reactions).map(|s| e.graph.name(*s).to_owned()).collect()
