@@ -76,7 +76,8 @@ pub struct Statistics {
     pub evaluations: usize,
     /// How often the run went over to another chart.
     pub chart_changes: usize,
-    /// How often the run passed a point where constraints lose their rank; see [`Crossing`](super::Crossing).
+    /// How often the run passed a point where constraints lose their rank; see [`Crossing`](super::Crossing). A motion that turns
+    /// right behind such a point passes it twice within one step, which does not count.
     pub crossings: usize,
 }
 

@@ -24,7 +24,7 @@ pub struct Merged {
 pub struct Redundant {
     /// The row.
     pub row: usize,
-    /// Its combination, over rows that are kept; `None` until pivots tell it, where it holds on the manifold alone.
+    /// Its combination, over rows that are kept; `None` until pivots tell it, where rows depend on others on the manifold alone.
     pub combination: Option<Vec<(usize, Expr)>>,
     /// Whether it depends on the others only where these hold, as the start shows.
     pub on_manifold: bool,

@@ -9,6 +9,7 @@
 
 use super::Simplifier;
 use super::pivots::{NEW_GUARD, SAFE, cheapest, rank};
+use super::steps::Step;
 use crate::symbolic::blocks::{COFACTORS, cofactors, triangular};
 use crate::symbolic::minors::by_minors;
 use crate::symbolic::{Expr, Graph, Matrix};
@@ -42,25 +43,6 @@ pub struct Elimination {
     steps: Vec<Step>,
 }
 
-/// What was done to the rows of C, of which C_d⁻¹ is the product.
-#[derive(Clone, Debug)]
-enum Step {
-    /// The rows of a block were multiplied by the adjugate of the block, and divided by its determinant.
-    Solve { rows: Vec<usize>, adjugate: Matrix, determinant: Expr },
-    /// The multiple of one row was taken from another.
-    Subtract { row: usize, other: usize, factor: Expr },
-}
-
-impl Step {
-    /// How many products it takes.
-    fn terms(&self, graph: &Graph) -> usize {
-        match self {
-            Step::Solve { adjugate, .. } => adjugate.entries().iter().filter(|e| !graph.is_zero(**e)).count(),
-            Step::Subtract { .. } => 1,
-        }
-    }
-}
-
 impl Elimination {
     /// C_d⁻¹ b.
     ///
@@ -71,22 +53,7 @@ impl Elimination {
             return self.inverse.mul_vec(graph, b);
         }
         let mut solution = b.to_vec();
-        for step in &self.steps {
-            match step {
-                Step::Solve { rows, adjugate, determinant } => {
-                    let given: Vec<Expr> = rows.iter().map(|row| solution[*row]).collect();
-                    let solved = adjugate.mul_vec(graph, &given);
-                    for (row, value) in rows.iter().zip(solved) {
-                        let value = graph.div(value, *determinant);
-                        solution[*row] = simplifier.one(graph, value);
-                    }
-                }
-                Step::Subtract { row, other, factor } => {
-                    let product = graph.mul(*factor, solution[*other]);
-                    solution[*row] = graph.sub(solution[*row], product);
-                }
-            }
-        }
+        self.steps.iter().for_each(|step| step.apply(graph, simplifier, &mut solution));
         solution
     }
 
@@ -96,22 +63,7 @@ impl Elimination {
             return self.inverse.transpose().mul_vec(graph, r);
         }
         let mut solution = r.to_vec();
-        for step in self.steps.iter().rev() {
-            match step {
-                Step::Solve { rows, adjugate, determinant } => {
-                    let given: Vec<Expr> = rows.iter().map(|row| solution[*row]).collect();
-                    let solved = adjugate.transpose().mul_vec(graph, &given);
-                    for (row, value) in rows.iter().zip(solved) {
-                        let value = graph.div(value, *determinant);
-                        solution[*row] = simplifier.one(graph, value);
-                    }
-                }
-                Step::Subtract { row, other, factor } => {
-                    let product = graph.mul(*factor, solution[*row]);
-                    solution[*other] = graph.sub(solution[*other], product);
-                }
-            }
-        }
+        self.steps.iter().rev().for_each(|step| step.apply_transposed(graph, simplifier, &mut solution));
         solution
     }
 

@@ -8,6 +8,7 @@
 //! | [`dependence`] | which rows are independent, which repeat others, which contradict |
 //! | [`overconstrained`] | which rows repeat others where the constraints hold |
 //! | [`elimination`] | C_d⁻¹ by Gauss-Jordan on the arena, pivots recorded |
+//! | [`steps`] | what it did to the rows, done to a vector |
 //! | [`pivots`] | which entry to divide by next |
 //! | [`carriers`] | partial velocities of a configuration (4.9), and the rows that still bind |
 //! | [`binding`] | all that is known before speeds are chosen |
@@ -58,6 +59,7 @@ pub mod pivots;
 pub mod project;
 pub mod reactions;
 pub mod start;
+pub mod steps;
 pub mod tangent;
 #[cfg(test)]
 mod tests;
