@@ -2,7 +2,8 @@
 
 mod support;
 
-use holonomy::{ConstrainedSystem, Prepared};
+use holonomy::simulate::Charts;
+use holonomy::{ConstrainedSystem, Error, Prepared};
 use support::running::entries;
 
 /// A coupler on three bars of one length: two of them hold all that the three do, and only where they are parallel.
@@ -119,4 +120,100 @@ fn bennetts_linkage_runs() {
     // until shortly before all links lie on one line, where the rows that are left lose their rank
     let (residual, energy) = drift(&model, found, 0.5);
     assert!(residual < 1e-10 && energy < 1e-7, "{residual:e} {energy:e}");
+}
+
+/// With a third bar of another length, or in another direction, the three still close where they start, and hold each other fast.
+#[derive(ConstrainedSystem, Clone, Debug)]
+#[coordinates(a, b, c, d)]
+#[frame(A = rotate(N, z, a), B = rotate(N, z, b), C = rotate(N, z, c), D = rotate(N, z, d))]
+#[point(P = O + l*A.x, Q = O + w*N.x + l*B.x, R = O + w/2*N.x + l*(cos(-0.7)*N.x + sin(-0.7)*N.y))]
+#[point(S = R + (l - s)*(C.x - cos(c0)*N.x - sin(c0)*N.y))]
+#[body(
+    first = { frame: A, center: O + l/2*A.x, mass: m, inertia: rod(m, l, x) },
+    second = { frame: B, center: O + w*N.x + l/2*B.x, mass: m, inertia: rod(m, l, x) },
+    third = { frame: C, center: S - l/2*C.x, mass: m, inertia: rod(m, l, x) },
+    coupler = { frame: D, center: P + w/2*D.x, mass: m, inertia: rod(m, w, x) },
+)]
+#[gravity(-g*N.y)]
+#[constraint(outer: P + w*D.x == Q)]
+#[constraint(inner: P + w/2*D.x == S, redundant)]
+#[independent(dot(a))]
+#[start(a = -0.7, b = -0.7, c = -0.7, d = 0)]
+struct ShiftedBars {
+    #[nominal(1.2)]
+    l: f64,
+    #[nominal(2.5)]
+    w: f64,
+    /// By how much the third bar is shorter.
+    #[nominal(0)]
+    s: f64,
+    /// Where it points when the others point to -0.7.
+    #[nominal(-0.7)]
+    c0: f64,
+    #[nominal(0.7)]
+    m: f64,
+    #[nominal(9.81)]
+    g: f64,
+}
+
+/// What the nominal parameters leave free, others hold: a run says so at its start, at rest as well, where nothing else would. Where
+/// only the accelerations contradict each other, the bars being parallel still, it says so before it has moved by a part in ten thousand.
+#[test]
+fn rows_that_are_redundant_with_other_parameters_only_are_refused() {
+    let good = ShiftedBars { l: 1.2, w: 2.5, s: 0.0, c0: -0.7, m: 0.7, g: 9.81 };
+    for charts in [Charts::Change, Charts::General] {
+        let start = |c: f64| ShiftedBarsState { a: -0.7, b: -0.7, c, d: 0.0, dot_a: 0.0 };
+        let model = good.clone().prepare().expect("good parameters");
+        model.simulate(start(-0.7)).charts(charts).until(0.5).expect("nominal parameters run");
+        for (c0, s) in [(-0.5, 0.0), (-0.5, 0.3), (-0.7, 0.3), (-0.7, 0.01)] {
+            let model = ShiftedBars { s, c0, ..good.clone() }.prepare().expect("good parameters");
+            let interrupted = model.simulate(start(c0)).charts(charts).until(0.5).expect_err("it is rigid");
+            let moved = (interrupted.trajectory.last().1.a + 0.7).abs();
+            assert!(moved < 1e-4 && interrupted.trajectory.last().0 < 0.2, "{interrupted:?}");
+            match &interrupted.error {
+                Error::NotRedundant { rows, value, time } => {
+                    assert!(!rows.is_empty() && rows.iter().all(|row| row.starts_with("inner")), "{rows:?}");
+                    assert!(interrupted.error.to_string().contains("do not follow from the others"));
+                    assert!(c0 == -0.7 || *time == 0.0 && *value > 0.01, "{time} {value:e}");
+                }
+                // Newton's method does not get onto an isolated point where the rows touch.
+                Error::Projection { constraint, .. } => assert!(c0 == -0.7 && constraint.starts_with("inner")),
+                other => panic!("{other:?}"),
+            }
+        }
+    }
+}
+
+/// A bead on a rail that is held twice, until the second guide leaves the first.
+#[derive(ConstrainedSystem, Clone, Debug)]
+#[coordinates(x, y)]
+#[inertia(diag(m, m))]
+#[forces(0, -m*g)]
+#[constraint(rail: y == 0)]
+#[constraint(guide: if x < l { y } else { y - b*powi(x - l, 2) } == 0, redundant)]
+#[independent(dot(x))]
+#[start(x = 0, y = 0)]
+struct TwoGuides {
+    #[nominal(1)]
+    m: f64,
+    #[nominal(1)]
+    l: f64,
+    #[nominal(0.3)]
+    b: f64,
+    #[nominal(9.81)]
+    g: f64,
+}
+
+#[test]
+fn rows_that_become_independent_during_a_run_end_it() {
+    let model = TwoGuides { m: 1.0, l: 1.0, b: 0.3, g: 9.81 }.prepare().expect("good parameters");
+    let start = TwoGuidesState { x: 0.0, y: 0.0, dot_x: 1.0 };
+    model.simulate(start).max_step(0.05).until(0.9).expect("both guides say the same");
+    let interrupted = model.simulate(start).max_step(0.05).until(2.0).expect_err("the guides part");
+    match &interrupted.error {
+        Error::NotRedundant { rows, time, .. } => assert!(rows == &["guide"] && (1.0..1.1).contains(time), "{time}"),
+        Error::Projection { time, .. } => assert!((1.0..1.1).contains(time), "{time}"),
+        other => panic!("{other:?}"),
+    }
+    assert!((interrupted.trajectory.last().1.x - 1.0).abs() < 0.1);
 }

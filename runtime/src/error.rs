@@ -218,6 +218,17 @@ pub enum Error {
         /// When.
         time: f64,
     },
+    /// Rows that the model marks `redundant` do not follow from the others in this state, or with these parameters: they bind motions
+    /// that the equations leave free.
+    NotRedundant {
+        /// The rows of C that are marked.
+        rows: Vec<&'static str>,
+        /// The sine of the largest angle that is left between a row and the others, or what is left of C v̇ + c0* in a row, relative to its
+        /// terms and weighted by the square of the smallest pivot of C.
+        value: f64,
+        /// When.
+        time: f64,
+    },
     /// Constraints that depend on each other demand different things.
     Inconsistent {
         /// The rows of C that take part.
@@ -419,6 +430,15 @@ impl fmt::Display for Error {
                     write!(out, ", where {guard} vanishes")?;
                 }
                 write!(out, "; {obstacle}")
+            }
+            Error::NotRedundant { rows, value, time } => {
+                write!(out, "at t = {time} rows that are marked `redundant` do not follow from the others: ")?;
+                list(out, rows)?;
+                write!(
+                    out,
+                    " (what is left of them is {value:e}); with these parameters, or in this configuration, they bind \
+                     motions of their own: correct the parameters, or leave `redundant` away"
+                )
             }
             Error::Inconsistent { rows, residual } => {
                 out.write_str("constraints that depend on each other contradict each other: ")?;

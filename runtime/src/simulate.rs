@@ -19,6 +19,7 @@ mod orientation;
 mod passage;
 mod points;
 mod readings;
+mod redundancy;
 mod simulation;
 mod stages;
 mod start;

@@ -15,6 +15,9 @@ const INDEFINITE: f64 = 1e-13;
 /// Rows with weights below this do not take part in a combination.
 const NOT_TAKING_PART: f64 = 1e-6;
 
+/// Rows below this fraction of the longest are nothing but rounding.
+const NO_LENGTH: f64 = 1e-12;
+
 /// Why there is no unique solution.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Loss {
@@ -160,6 +163,18 @@ impl Tangent {
         self.solve(c, &forces, &mut change);
         (self.change, self.zeros) = (change, forces);
         &self.change
+    }
+
+    /// The rows that the last decomposition left out, with the sines of the angles between them and what the others span. Rows of no
+    /// length beside the longest have no direction.
+    pub(crate) fn left_out(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let known = self.lengths.iter().filter(|inverse| **inverse > 0.0);
+        let shortest = known.fold(f64::INFINITY, |least: f64, inverse| least.min(*inverse));
+        let sine = move |row: usize| {
+            let square: f64 = self.along[row * self.n + self.rank..(row + 1) * self.n].iter().map(|c| c * c).sum();
+            if self.lengths[row] * NO_LENGTH > shortest { 0.0 } else { sqrt(square) }
+        };
+        self.order[self.rank..].iter().map(move |row| (*row, sine(*row)))
     }
 
     /// Takes the identity for M, in the units of the velocities.

@@ -7,6 +7,7 @@ use super::emitted::check_inputs;
 use super::guards::{Watch, figures};
 use super::inputs::InputSource;
 use super::kernel::{Pace, Plan};
+use super::redundancy::Redundancy;
 use super::simulation::Simulation;
 use super::start::{check_position, check_velocity};
 use crate::assemble::check_finite;
@@ -78,6 +79,9 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
                 model.velocities(from, &start)
             }
         };
+        let mut redundancy = Redundancy::new(model)?;
+        let inputs = self.source.inputs(from, &start);
+        redundancy.as_mut().map_or(Ok(()), |rows| rows.check(model, from, (&start, &v), &inputs))?;
         check_velocity(model, from, &start, &v)?;
         let plan = Plan { start: from, end, pace, every: self.every, dense: self.dense, max_steps: self.max_steps };
         let course = Course {
@@ -85,6 +89,8 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
             source: self.source,
             // Stabilised constraints are not restored.
             manifold: manifold.filter(|_| self.baumgarte.is_none()),
+            // Stabilised constraints hold nearly, and their rows follow from each other as nearly.
+            redundancy: redundancy.filter(|_| self.baumgarte.is_none()),
             charts: self.charts,
             baumgarte: self.baumgarte,
             events: self.events,

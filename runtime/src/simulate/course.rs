@@ -14,6 +14,7 @@ use super::general::{General, point};
 use super::guards::{Watch, of_chart};
 use super::inputs::InputSource;
 use super::kernel::{Exit, Plan, Run};
+use super::redundancy::Redundancy;
 use super::start::check_on_manifold;
 use super::tableau::Tableau;
 use super::trajectory::{Standing, Trajectory};
@@ -29,6 +30,7 @@ pub(super) struct Course<'a, M: ConstrainedSystem, I> {
     pub(super) model: &'a Prepared<M>,
     pub(super) source: I,
     pub(super) manifold: Option<Manifold<M>>,
+    pub(super) redundancy: Option<Redundancy<M>>,
     pub(super) charts: Charts,
     pub(super) baumgarte: Baumgarte,
     pub(super) events: Vec<Event<'a, M>>,
@@ -170,6 +172,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
                     crossing: crossing(model, t, &s, &v, &self.source.inputs(t, &s))?,
                     source: &mut self.source,
                     manifold: self.manifold.as_mut(),
+                    redundancy: self.redundancy.as_mut(),
                     quality,
                     approach: quality.filter(|_| passes).map(|_| &mut self.approach),
                 };
@@ -192,6 +195,7 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
                     source: &mut self.source,
                     equations: &mut equations,
                     manifold: self.manifold.as_mut(),
+                    redundancy: self.redundancy.as_mut(),
                     quality,
                     baumgarte: self.baumgarte,
                     failure: None,

@@ -239,6 +239,8 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Course<'_, M, I> {
             source: &mut self.source,
             equations: &mut equations,
             manifold: self.manifold.as_mut(),
+            // Between here and the other side rows depend on each other beyond what is marked.
+            redundancy: None,
             quality: None,
             baumgarte: None,
             failure: None,

@@ -7,6 +7,7 @@ use super::flow::Flow;
 use super::guards::{Watch, figures, widen};
 use super::inputs::InputSource;
 use super::readings::Residuals;
+use super::redundancy::Redundancy;
 use super::trajectory::view;
 use crate::assemble::first_non_finite;
 use crate::carriers::StateArray;
@@ -34,6 +35,8 @@ pub(super) struct Emitted<'r, M: ConstrainedSystem, I> {
     pub(super) source: &'r mut I,
     pub(super) watch: Watch<M>,
     pub(super) manifold: Option<&'r mut Manifold<M>>,
+    /// What looks at the rows that are marked redundant, where there are some.
+    pub(super) redundancy: Option<&'r mut Redundancy<M>>,
     pub(super) drift: Option<Drift<M>>,
     /// The rows of C from step to step, where there are nonlinear ones: they vanish, and turn over, without a pivot that tells.
     pub(super) crossing: Option<Equations<M>>,
@@ -82,6 +85,10 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for Emitted<'_, M, I> {
     }
 
     fn passed(&mut self, t: f64, y: &Self::Point) -> Result<(), Error> {
+        if self.redundancy.is_some() {
+            let ((s, v), inputs) = (self.view(t, y), self.inputs(t, y));
+            self.redundancy.as_mut().map_or(Ok(()), |rows| rows.check(self.model, t, (&s, &v), &inputs))?;
+        }
         if self.crossing.is_none() {
             return Ok(());
         }

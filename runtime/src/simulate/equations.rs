@@ -174,6 +174,21 @@ impl<M: ConstrainedSystem> Equations<M> {
         length.min(self.pivot_left())
     }
 
+    /// The rows that the last solution left out, with the sines of the angles between them and the others.
+    pub(super) fn left_out(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.tangent.left_out()
+    }
+
+    /// What the last solution leaves of a row's C B ẇ + C a + c0*, relative to its terms.
+    pub(super) fn missed(&self, row: usize) -> f64 {
+        let c = self.frame.size.1;
+        let products =
+            self.tangent.rows[row * c..(row + 1) * c].iter().zip(&self.rates).map(|(entry, rate)| entry * rate);
+        let bias = self.bias[row];
+        let (sum, size) = products.fold((bias, bias.abs()), |(sum, size), p| (sum + p, size + p.abs()));
+        if size > 0.0 { sum.abs() / size } else { 0.0 }
+    }
+
     /// Remembers how well the rows of the last point tell directions apart, if no point before did better.
     pub(super) fn strengthen(&mut self) {
         self.strength.pivot = self.strength.pivot.max(self.tangent.least);

@@ -8,6 +8,7 @@ use super::flow::{Flow, Point};
 use super::guards::{Watch, figures};
 use super::inputs::InputSource;
 use super::readings::Residuals;
+use super::redundancy::Redundancy;
 use super::trajectory::view;
 use crate::carriers::StateArray;
 use crate::drift::Drift;
@@ -64,6 +65,8 @@ pub(super) struct General<'r, M: ConstrainedSystem, I> {
     pub(super) source: &'r mut I,
     pub(super) equations: &'r mut Equations<M>,
     pub(super) manifold: Option<&'r mut Manifold<M>>,
+    /// What looks at the rows that are marked redundant, where there are some.
+    pub(super) redundancy: Option<&'r mut Redundancy<M>>,
     pub(super) drift: Option<Drift<M>>,
     /// The guards of the first chart, of which those of the kinematics count here as well.
     pub(super) watch: Watch<M>,
@@ -158,9 +161,12 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for General<'_, M, I> {
         self.equations.accept(t).map_err(|error| self.with_guard(error, guards))
     }
 
-    fn passed(&mut self, _: f64, _: &Self::Point) -> Result<(), Error> {
-        // Judged with the guards: every stage was seen.
-        Ok(())
+    fn passed(&mut self, t: f64, y: &Self::Point) -> Result<(), Error> {
+        // A loss of rank was judged with the guards: every stage was seen.
+        let Some(rows) = &mut self.redundancy else { return Ok(()) };
+        let v = self.model.carried_velocities(t, &y.state.into(), &y.carriers.into());
+        let s = view(self.model, t, &y.state.into(), &v);
+        rows.check(self.model, t, (&s, &v), &self.source.inputs(t, &s))
     }
 
     fn restore(&mut self, t: f64, y: &mut Self::Point) -> Result<bool, Error> {

@@ -28,6 +28,7 @@ fn run<const S: usize>(tableau: &'static Tableau<S>, pace: Pace) -> Trajectory<O
         model: &model,
         source: |t: f64, s: &OscillatorState| OscillatorInputs { tau: 0.3 * (3.0 * t).cos() - 0.1 * s.dot_x },
         manifold: None,
+        redundancy: None,
         charts: Charts::Change,
         baumgarte: None,
         events: Vec::new(),
