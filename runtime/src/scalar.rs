@@ -48,8 +48,9 @@ pub trait Scalar:
     fn to_f64(self) -> f64;
     /// √self.
     fn sqrt(self) -> Self;
-    /// (sin self, cos self). That of f64 is in line, within 2 units in the last place, and the same on every machine up to 2^20
-    /// in magnitude; bundles of lanes may take it from [`sin_cos_lanes`](crate::sin_cos_lanes).
+    /// (sin self, cos self). That of f64 is in line, within 2 units in the last place, and the same on every machine that
+    /// a build runs on, up to 2^20 in magnitude (a build for machines that fuse products with sums is faster, and differs in last
+    /// bits); bundles of lanes may take it from [`sin_cos_lanes`](crate::sin_cos_lanes).
     fn sin_cos(self) -> (Self, Self);
     /// The angle of the point (x, self), in (−π, π].
     fn atan2(self, x: Self) -> Self;

@@ -1,10 +1,12 @@
 //! Sine and cosine of a double, together, in line.
 //!
 //! Beside the rest of a small model a pair of these is the largest cost, and as a call it keeps the compiler from mixing its
-//! instructions with the others. Nothing here branches on the angle but for its size, so that it also runs on lanes, and no
-//! product is fused with a sum, so that the bits are the same on every machine.
+//! instructions with the others. Nothing here branches on the angle but for its size, so that it also runs on lanes.
+//!
+//! A build for machines that fuse products with sums does so here: a pair then waits for 45 cycles instead of 75. Its last bits are not
+//! those of a build for all machines, but a build has the same bits wherever it runs.
 
-use core::f64::consts::FRAC_2_PI;
+use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 /// Beyond this angle the reduction below has too few bits, and the exact one of std or libm serves.
 const FAR: f64 = 1_048_576.0;
@@ -18,6 +20,15 @@ const TO_WHOLE: f64 = 6_755_399_441_055_744.0;
 /// to [`FAR`] those nearest to a multiple of π/2 miss it by 2⁻⁶⁰; the rest carries the reduction to 2⁻¹³⁷.
 const QUARTER: [f64; 4] =
     [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_711_166_5e-21, 8.478_427_660_368_9e-32];
+
+/// π/2 in parts of 53 bits, each the nearest to what those before it leave, for fused products.
+///
+/// x − q P₁ is exact, since nothing of it is finer than x or P₁, and so is the product in each later step; both round once. Only where the
+/// second step leaves less than its rounding does the third one tell.
+const FUSED: [f64; 3] = [FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33];
+
+/// Whether products are fused with sums: where it is an instruction.
+const FUSES: bool = cfg!(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")));
 
 /// sin r = r + r z S(z) with z = r², |r| ≤ π/4: the polynomial with the least relative error of the sine, by Remez' exchange
 /// over (sin √z/√z − 1)/z with 60 digits, then rounded to doubles. It errs by 2⁻⁵⁷·⁹ before and 2⁻⁵⁶·³ after rounding.
@@ -54,8 +65,8 @@ pub(super) fn near(x: f64) -> (f64, f64) {
     let sign = x.to_bits() & SIGN;
     let (r, quarters, whole) = reduce(x.abs());
     let z = r * r;
-    let s = r + r * z * polynomial(&SINE, z);
-    let c = (1.0 - 0.5 * z) + z * z * polynomial(&COSINE, z);
+    let s = fused(r * z, polynomial(&SINE, z), r);
+    let c = fused(z * z, polynomial(&COSINE, z), 1.0 - 0.5 * z);
     // A comparison of floats selects without a branch; one of integers would not.
     let half = 0.5 * quarters;
     let is_even = (half + TO_WHOLE) - TO_WHOLE == half;
@@ -70,8 +81,12 @@ const SIGN: u64 = 1 << 63;
 /// r = x − q π/2 with the nearest whole q, q, and a number whose last bits are those of q.
 #[inline(always)]
 fn reduce(x: f64) -> (f64, f64, u64) {
-    let shifted = x * FRAC_2_PI + TO_WHOLE;
+    let shifted = fused(x, FRAC_2_PI, TO_WHOLE);
     let q = shifted - TO_WHOLE;
+    if FUSES {
+        let r = FUSED.iter().fold(x, |r, part| fused(-q, *part, r));
+        return (r, q, shifted.to_bits());
+    }
     let [first, second, third, rest] = QUARTER;
     // Exact; so are the next two products. Their sum is not, and what it lost is taken off at last, so that r is rounded once
     // where it is large, and nowhere where nearly all cancels.
@@ -86,5 +101,15 @@ fn reduce(x: f64) -> (f64, f64, u64) {
 #[inline(always)]
 fn polynomial(p: &[f64; 6], z: f64) -> f64 {
     let square = z * z;
-    (p[0] + p[1] * z) + square * ((p[2] + p[3] * z) + square * (p[4] + p[5] * z))
+    let [low, middle, high] = [fused(p[1], z, p[0]), fused(p[3], z, p[2]), fused(p[5], z, p[4])];
+    fused(square, fused(square, high, middle), low)
+}
+
+/// a b + c, rounded once where that is an instruction.
+#[inline(always)]
+fn fused(a: f64, b: f64, c: f64) -> f64 {
+    #[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
+    return a.mul_add(b, c);
+    #[cfg(not(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64"))))]
+    return a * b + c;
 }
