@@ -4,6 +4,7 @@
 //! [`syntax`] → [`model`] → [`projection`] → [`simplify`] → [`program`] → [`emit`], with [`symbolic`] under all and
 //! [`pipeline`] to run them. The interface of this crate may change with every release; depend on `holonomy` instead.
 
+mod carried;
 mod choices;
 mod elimination;
 pub mod emit;

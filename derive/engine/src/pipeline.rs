@@ -1,5 +1,6 @@
 //! The steps in order, from tokens to tokens.
 
+use crate::carried;
 use crate::choices::choose;
 use crate::elimination::{Recursive, joint_by_joint};
 use crate::forms::Forms;
@@ -187,6 +188,7 @@ fn finished(
     errors.result(())?;
     guards::drop_cancelled_pivots(&mut equations, TANGENT_PIVOT);
     guards::add_parameter_divisors(&mut equations);
+    carried::tell(&mut equations);
     after(Step::Simplification, equations.graph.len());
     Ok(equations)
 }

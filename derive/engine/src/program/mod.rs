@@ -38,4 +38,4 @@ pub use entry::{Arguments, Entry, Output, Shape};
 pub use layout::{Block, Layout, Let, Part};
 pub use names::Names;
 pub use operation::{Code, Count, Leaf, Operation, Reference};
-pub use plan::{Program, Programs, Values, cycles, programs, weight};
+pub use plan::{Program, Programs, Values, count, cycles, programs, weight};

@@ -121,6 +121,15 @@ pub fn weight(graph: &mut Graph, roots: &[Expr]) -> usize {
     })
 }
 
+/// What the cheapest program for the expressions does.
+pub fn count(graph: &mut Graph, roots: &[Expr]) -> Count {
+    graph.without_new_assumptions(|graph| {
+        let place = |symbol: Symbol| Some(Leaf::StateSpeed(symbol.index()));
+        let found = cheapest(graph, &mut Rests::default(), roots, &place, &Registry::new(&[]));
+        found.map_or_else(|_| Count::default(), |(code, _)| code.count())
+    })
+}
+
 /// How long the cheapest program for the expressions takes, in estimate.
 pub fn cycles(graph: &mut Graph, roots: &[Expr]) -> usize {
     graph.without_new_assumptions(|graph| {

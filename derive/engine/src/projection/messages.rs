@@ -130,6 +130,22 @@ pub(crate) fn judged(chart: usize, relative_pivot: f64) -> String {
     )
 }
 
+/// Coordinates that position rows bind are states.
+pub(crate) fn carried(rows: usize, operations: usize, functions: usize) -> String {
+    let bound = counted(rows, "coordinate", "coordinates");
+    let pairs = if functions == 0 {
+        String::new()
+    } else {
+        format!(" and {}", counted(functions, "pair of sine and cosine", "pairs of sine and cosine"))
+    };
+    format!(
+        "the position rows bind {bound}, carried by the state and brought back onto f = 0 after every step: their rates are velocities \
+         that the motion needs anyway, and Newton's method in every evaluation would add {}{pairs} in each iteration for f \
+         alone",
+        counted(operations, "operation", "operations")
+    )
+}
+
 /// A chart repeats another one.
 pub(crate) fn chart_twice(of_the_state: bool) -> String {
     let which = if of_the_state { "the first `independent` statement" } else { "an earlier `independent` statement" };
