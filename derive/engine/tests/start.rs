@@ -225,3 +225,66 @@ fn relative_pivots_do_not_depend_on_the_length_of_speeds() {
     let found: Vec<f64> = e.relative_pivots.iter().map(|pivot| pivot.expect("all is known")).collect();
     assert_eq!(found, [0.8, 0.8, 0.0]);
 }
+
+/// A coupler on parallel bars does not turn wherever these are closed, and only there. Rounding is all that the pivots of its rate
+/// show at the start and at configurations beside it. What is offered instead is accepted.
+#[test]
+fn pivots_that_vanish_wherever_the_loops_are_closed() {
+    let bars = |start: f64, line: &str| {
+        let start = proc_macro2::Literal::f64_unsuffixed(start);
+        let line: proc_macro2::TokenStream = line.parse().expect("attributes");
+        analysed(quote! {
+            #[coordinates(a, b, c, d)]
+            #[frame(A = rotate(N, z, a), B = rotate(N, z, b), C = rotate(N, z, c), D = rotate(N, z, d))]
+            #[point(P = O + l*A.x, Q = O + 0.79*N.x - 0.47*N.y + l*B.x, R = O + 0.94*N.x - 0.38*N.y + l*C.x)]
+            #[body(coupler = { frame: D, center: P + 0.4*D.x, mass: 1, inertia: planar(0.46) })]
+            #[constraint(second: Q == P + 0.79*D.x - 0.47*D.y)]
+            #[constraint(third: R == P + 0.94*D.x - 0.38*D.y, redundant)]
+            #[start(a = #start, b = #start, c = #start, d = 0)]
+            #line
+            struct Bars { #[nominal(0.88)] l: f64 }
+        })
+    };
+    for start in [0.75, 0.31, -0.4, 1.1, 0.93] {
+        let messages =
+            bars(start, "#[independent(dot(d))]").err().unwrap_or_else(|| panic!("{start}: accepted")).join("; ");
+        assert!(messages.contains("do not determine"), "{start}: {messages}");
+        let line = messages.split('`').rev().nth(1).expect("a line between quotes");
+        let pivot = bars(start, line).expect("the line that was offered").relative_pivots[0];
+        assert!(pivot.expect("all is known") > 0.5, "{start}: {line}");
+    }
+}
+
+/// Bennett's linkage with angles of two digits, a loop with another link on it: its rows depend on each other wherever it is closed,
+/// so that changes of least norm go astray as they come near.
+#[test]
+fn overconstrained_loops_close_from_rough_starts() {
+    let bennett = |first: f64, second: f64| {
+        let [third, first, second] = [-first, first, second].map(proc_macro2::Literal::f64_unsuffixed);
+        analysed(quote! {
+            #[coordinates(a, b, c)]
+            #[frame(A = rotate(N, z, a), B = rotate(rotate(A, x, beta), z, b), C = rotate(rotate(B, x, alpha), z, c))]
+            #[frame(Last = rotate(C, x, beta), Ground = rotate(N, x, -alpha))]
+            #[define(long = short*sin(beta)/sin(alpha))]
+            #[point(P = O + long*A.x, Q = P + short*B.x, R = Q + long*C.x)]
+            #[body(
+                first = { frame: A, center: O + long/2*A.x, mass: 1, inertia: sphere(1, 0.5) },
+                second = { frame: B, center: P + short/2*B.x, mass: 1, inertia: sphere(1, 0.5) },
+                third = { frame: C, center: Q + long/2*C.x, mass: 1, inertia: sphere(1, 0.5) },
+            )]
+            #[constraint(hinge: revolute(R, O - short*N.x, Last.z, Ground.z), redundant)]
+            #[independent(dot(a))]
+            #[start(a = #first, b = #second, c = #third)]
+            struct Bennett { #[nominal(1.2)] short: f64, #[nominal(1.5)] alpha: f64, #[nominal(0.5)] beta: f64 }
+        })
+    };
+    // tan(a/2) tan(b/2) = sin((alpha + beta)/2)/sin((alpha - beta)/2)
+    for first in [0.71_f64, 0.86, 1.07, 1.29, 1.48] {
+        let second = 2.0 * (1.0_f64.sin() / 0.5_f64.sin() / (first / 2.0).tan()).atan();
+        for digits in [1, 2] {
+            let rough: f64 = format!("{second:.digits$}").parse().expect("a number");
+            let equations = bennett(first, rough).unwrap_or_else(|messages| panic!("{first}, {rough}: {messages:?}"));
+            assert_eq!(equations.state_speeds.len(), 1);
+        }
+    }
+}
