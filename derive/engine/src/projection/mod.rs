@@ -21,6 +21,7 @@
 //! | [`acceleration`] | the rows that bind only the rates of the state's speeds |
 //! | [`given`] | the basis D from v = g(u, x, t) (5.8), (5.9) |
 //! | [`start`] | the start that the model names, closed |
+//! | `closing` | the two ways in which it is closed |
 //! | [`judge`] | the choice of speeds at the start that the model names |
 //! | [`offer`] | a better choice, where an error asks for one |
 //! | [`dynamics`] | M_d and h_u* (4.10), (5.6) |
@@ -40,6 +41,7 @@ pub mod binding;
 mod bodies;
 pub mod carriers;
 pub mod chart;
+mod closing;
 pub mod combined;
 pub mod complement;
 pub mod constraints;
