@@ -5,7 +5,7 @@ mod claims;
 mod random;
 mod support;
 
-use claims::agreement::{NOT_REACHED, agrees};
+use claims::agreement::agrees;
 use claims::evaluated::{projected, simplified};
 use holonomy_engine::projection::Equations;
 use oracle::Report;
@@ -15,10 +15,15 @@ use support::splitmix::SplitMix;
 
 /// How many are drawn as the equations come, ...
 const PROJECTED: usize = 560;
-/// ... how many of these are compared at least, ...
-const COMPARED: usize = 500;
 /// ... and how many are drawn in the forms in which they are emitted.
 const EMITTED: usize = 32;
+
+/// What is drawn although it is no mechanism, by what the engine says of it, and how much of that there is at most.
+const REFUSED: [(&str, usize); 3] = [
+    ("depends on the other rows", 7),
+    ("depends on the others wherever these hold", 1),
+    ("binds no coordinate and no speed", 1),
+];
 
 /// How often each class must occur among the equations as they come.
 const CLASSES: [(&str, usize); 2] = [("platform", 20), ("slider in a loop", 40)];
@@ -30,7 +35,7 @@ fn derived(
     form: impl Fn(&str) -> Result<Equations, String>,
 ) -> (String, Result<Equations, String>, bool) {
     let refusal = match form(&mechanism.source) {
-        Err(refusal) if refusal.contains("; write `") => refusal,
+        Err(refusal) if refusal.contains("; write `#[independent(") => refusal,
         found => return (mechanism.source.clone(), found, false),
     };
     let line = refusal.split('`').rev().nth(1).expect("a line between quotes");
@@ -40,11 +45,11 @@ fn derived(
 }
 
 /// The first mechanisms of the series in one form, each with draws of its own; the disagreements are told together. The classes of
-/// those that were compared, and how many these are.
+/// those that were compared.
 ///
-/// Drawn without regard to whether they move: what has no degree of freedom, rows that repeat others without a mark, or a start from
-/// which Newton's method does not get onto the loops is refused, and drawn in vain. They are counted.
-fn all_agree(count: usize, form: impl Fn(&str) -> Result<Equations, String> + Sync) -> (Vec<String>, usize) {
+/// Drawn without regard to whether they move: rows that bind nothing, or repeat others without a mark, are refused, and drawn in
+/// vain. They are counted by what is said of them; nothing else may be refused, least of all the line that a refusal offers.
+fn all_agree(count: usize, form: impl Fn(&str) -> Result<Equations, String> + Sync) -> Vec<String> {
     let results = parallel::each(count, |number| {
         let mut mechanism = closed_mechanism(23, number);
         let mut random = SplitMix::new(900 + number as u64);
@@ -52,10 +57,17 @@ fn all_agree(count: usize, form: impl Fn(&str) -> Result<Equations, String> + Sy
         if asked {
             mechanism.classes.push("independent speeds as the engine asked".to_owned());
         }
-        let shown = agrees(&source, equations, 1, &mut random);
+        let refused = equations.is_err();
+        let shown = match agrees(&source, equations, 1, &mut random) {
+            Err(refusal) if asked && refused => Err(format!("with the line that was offered {refusal}")),
+            shown => shown,
+        };
         (RandomModel { source, ..mechanism }, shown)
     });
     let (mut failures, mut found, mut in_vain, mut total) = (Vec::new(), Vec::new(), Vec::new(), Report::default());
+    let kind = |refusal: &str| {
+        REFUSED.iter().position(|(said, _)| refusal.starts_with("was refused") && refusal.contains(said))
+    };
     for (mechanism, shown) in results {
         match shown {
             Ok(mut shown) => {
@@ -63,24 +75,29 @@ fn all_agree(count: usize, form: impl Fn(&str) -> Result<Equations, String> + Sy
                 total.add(shown.report);
                 found.extend(mechanism.classes);
             }
-            Err(refusal) if refusal == NOT_REACHED || refusal.starts_with("was refused") => {
-                in_vain.push(format!("{} {refusal}", mechanism.name));
-            }
-            Err(failure) => failures.push(format!("{} {failure}\n{}", mechanism.name, mechanism.source)),
+            Err(refusal) => match kind(&refusal) {
+                Some(kind) => in_vain.push((kind, format!("{} {refusal}", mechanism.name))),
+                None => failures.push(format!("{} {refusal}\n{}", mechanism.name, mechanism.source)),
+            },
         }
     }
     println!("{}{} numbers compared", counted(found.iter().map(String::as_str)), total.compared);
     println!("largest error {:.1e} of its bound, in {}", total.worst, total.worst_in);
-    let short = in_vain.iter().map(|refusal| refusal.chars().take(120).collect::<String>());
-    println!("{} drawn in vain:\n{}", in_vain.len(), short.collect::<Vec<_>>().join("\n"));
+    for (at, (said, most)) in REFUSED.iter().enumerate() {
+        let of_kind: Vec<&str> =
+            in_vain.iter().filter(|(kind, _)| *kind == at).map(|(_, refusal)| refusal.as_str()).collect();
+        println!("{} drawn in vain: {said}", of_kind.len());
+        of_kind.iter().for_each(|refusal| println!("    {}", refusal.chars().take(160).collect::<String>()));
+        assert!(of_kind.len() <= *most, "{} refused: {said}", of_kind.len());
+    }
     assert!(failures.is_empty(), "{} of {count} mechanisms\n{}", failures.len(), failures.join("\n"));
-    (found, count - in_vain.len())
+    println!("{} of {count} mechanisms compared", count - in_vain.len());
+    found
 }
 
 #[test]
 fn random_closed_mechanisms_as_projected_agree_with_the_oracle() {
-    let (found, compared) = all_agree(PROJECTED, projected);
-    assert!(compared >= COMPARED, "{compared} compared");
+    let found = all_agree(PROJECTED, projected);
     let count = |class: &str| found.iter().filter(|found| *found == class).count();
     for place in ["planar", "spatial"] {
         for loops in 1..=4 {
@@ -97,6 +114,5 @@ fn random_closed_mechanisms_as_projected_agree_with_the_oracle() {
 
 #[test]
 fn random_closed_mechanisms_as_emitted_agree_with_the_oracle() {
-    let (_, compared) = all_agree(EMITTED, simplified);
-    assert!(compared >= EMITTED - EMITTED / 8, "{compared} compared");
+    all_agree(EMITTED, simplified);
 }

@@ -225,3 +225,60 @@ fn relative_pivots_do_not_depend_on_the_length_of_speeds() {
     let found: Vec<f64> = e.relative_pivots.iter().map(|pivot| pivot.expect("all is known")).collect();
     assert_eq!(found, [0.8, 0.8, 0.0]);
 }
+
+/// A coupler on parallel bars does not turn wherever these are closed, and only there. Rounding is all that the pivots of its rate
+/// show at the start and at configurations beside it. What is offered instead is accepted.
+#[test]
+fn pivots_that_vanish_wherever_the_loops_are_closed() {
+    let bars = |start: f64, line: &str| {
+        let [a, b, c] = [0.0, 0.01, -0.01].map(|beside| proc_macro2::Literal::f64_unsuffixed(start + beside));
+        let line: proc_macro2::TokenStream = line.parse().expect("attributes");
+        analysed(quote! {
+            #[coordinates(a, b, c, d)]
+            #[frame(A = rotate(N, z, a), B = rotate(N, z, b), C = rotate(N, z, c), D = rotate(N, z, d))]
+            #[point(P = O + l*A.x, Q = O + 0.79*N.x - 0.47*N.y + l*B.x, R = O + 0.94*N.x - 0.38*N.y + l*C.x)]
+            #[body(coupler = { frame: D, center: P + 0.4*D.x, mass: 1, inertia: planar(0.46) })]
+            #[constraint(second: Q == P + 0.79*D.x - 0.47*D.y)]
+            #[constraint(third: R == P + 0.94*D.x - 0.38*D.y, redundant)]
+            #[start(a = #a, b = #b, c = #c, d = 0.02)]
+            #line
+            struct Bars { #[nominal(0.88)] l: f64 }
+        })
+    };
+    for start in [0.75, 0.31, -0.4, 1.1, 0.93] {
+        let messages =
+            bars(start, "#[independent(dot(d))]").err().unwrap_or_else(|| panic!("{start}: accepted")).join("; ");
+        assert!(messages.contains("do not determine"), "{start}: {messages}");
+        let line = messages.split('`').rev().nth(1).expect("a line between quotes");
+        let pivot = bars(start, line).expect("the line that was offered").relative_pivots[0];
+        assert!(pivot.expect("all is known") > 0.5, "{start}: {line}");
+    }
+}
+
+/// Bennett's linkage with one link more, closed by a ball, from angles of two digits: the rows of the hinge depend on each other wherever
+/// it is closed, and changes of least norm go astray beside that. The link turns about the line through its ends.
+#[test]
+fn overconstrained_loops_close_from_rough_starts() {
+    let equations = analysed(quote! {
+        #[coordinates(a, b, c, d, e, f)]
+        #[frame(A = rotate(N, z, a), B = rotate(rotate(A, x, beta), z, b), C = rotate(rotate(B, x, alpha), z, c))]
+        #[frame(Last = rotate(C, x, beta), Ground = rotate(N, x, -alpha))]
+        #[frame(Link = rotate(rotate(rotate(C, x, d), y, e), z, f))]
+        #[define(long = short*sin(beta)/sin(alpha))]
+        #[point(P = O + long*A.x, Q = P + short*B.x, R = Q + long*C.x, Foot = Q + 0.91*C.x - 0.26*C.y + 0.39*C.z)]
+        #[point(Ball = Foot + 0.82*Link.x + 0.27*Link.y + 0.3*Link.z)]
+        #[point(Socket = O + 0.238876607050834*A.x + 1.454417936109692*A.y - 1.129057297347411*A.z)]
+        #[body(
+            first = { frame: A, center: O + long/2*A.x, mass: 1, inertia: sphere(1, 0.5) },
+            second = { frame: B, center: P + short/2*B.x, mass: 1, inertia: sphere(1, 0.5) },
+            third = { frame: C, center: Q + long/2*C.x, mass: 1, inertia: sphere(1, 0.5) },
+            fourth = { frame: Link, center: Foot + 0.4*Link.x, mass: 1, inertia: sphere(1, 0.5) },
+        )]
+        #[constraint(hinge: revolute(R, O - short*N.x, Last.z, Ground.z), redundant)]
+        #[constraint(ball: spherical(Ball, Socket))]
+        #[independent(dot(f))]
+        #[start(a = 1.32, b = 2.36, c = -1.32, d = -0.46, e = 1.05, f = -0.40)]
+        struct Bennett { #[nominal(0.9)] short: f64, #[nominal(1.19)] alpha: f64, #[nominal(0.41)] beta: f64 }
+    });
+    assert_eq!(equations.expect("it closes").state_speeds.len(), 1);
+}

@@ -8,31 +8,48 @@
 
 use super::carriers::{CarriedRow, Carriers};
 use super::constraints::DifferentiatedRow;
-use super::messages;
+use super::offer::offer;
 use super::overconstrained::{BESIDE, repeat};
 use super::start::{Start, dot};
 use super::tangent::Tangent;
+use super::{Simplifier, messages};
 use crate::model::InitialSystem;
-use crate::symbolic::{Expr, Graph};
+use crate::symbolic::{Assumptions, Expr, Graph};
 use crate::syntax::Diagnostics;
 
 /// Below this fraction of its terms a figure is zero.
-const VANISHES: f64 = 1e-9;
+pub const VANISHES: f64 = 1e-9;
 
 /// Rows of which less than this is left beside the others depend on them. Where they do so at a point, Newton's method reaches
 /// the point to half of the digits.
 pub const DEPENDS: f64 = 1e-6;
 
+/// What a choice of speeds is judged by.
+#[derive(Clone, Copy)]
+pub struct Judged<'a> {
+    /// All rows.
+    pub rows: &'a [DifferentiatedRow],
+    /// Those that are independent.
+    pub kept: &'a [usize],
+    /// Of these the ones that bind the carriers.
+    pub carried: &'a [CarriedRow],
+    /// What independent speeds are chosen among.
+    pub carriers: &'a Carriers,
+}
+
 /// Judges the start itself, the rows at it, and the pivots of the tangent basis at it; gives the start, closed.
+///
+/// Other speeds are tried with what was assumed `before` these were; nothing is left of them but what the arena has grown by,
+/// and that only where there is an error.
 pub fn judge(
-    system: &InitialSystem,
-    rows: &[DifferentiatedRow],
-    kept: &[usize],
-    carried: &[CarriedRow],
-    carriers: &Carriers,
+    system: &mut InitialSystem,
+    simplifier: &mut dyn Simplifier,
+    judged: Judged<'_>,
     tangent: &Tangent,
+    before: &Assumptions,
     errors: &mut Diagnostics,
 ) -> Start {
+    let Judged { rows, kept, carried, carriers } = judged;
     let mut start = Start::of(system);
     if let Err(open) = start.close(system, rows, carriers) {
         let open: Vec<(&str, f64)> = open.iter().map(|(row, rest)| (rows[*row].name.as_str(), *rest)).collect();
@@ -54,45 +71,48 @@ pub fn judge(
         errors.report(rows[dependent].span, message(name(row), &parts));
         return start;
     }
-    let Some(elimination) = &tangent.elimination else { return start };
-    for (pivot, column) in elimination.values.iter().zip(&elimination.pivots) {
-        if !start.knows(graph, *pivot) {
-            continue;
-        }
-        let (v, size) = start.value(graph, *pivot);
-        if !v.is_finite() || v.abs() > VANISHES * size || is_usual(system, rows, carriers, &start, (*pivot, v)) {
-            continue;
-        }
-        let better = gradients.as_ref().and_then(|gradients| line(system, carriers, gradients.clone()));
-        let place = match system.independent.first() {
-            Some(choice) => choice.span,
-            None => tangent.rows.first().map_or(system.places.model, |row| rows[*row].span),
-        };
-        let (text, name) = (graph.display(*pivot), graph.name(carriers.speeds[*column]));
-        let by_user = !system.independent.is_empty();
-        errors.report(place, messages::singular_at_start(&text, name, by_user, better.as_deref()));
-        return start;
-    }
+    let Some((pivot, column)) = vanishing(system, judged, &start, tangent) else { return start };
+    let place = match system.independent.first() {
+        Some(choice) => choice.span,
+        None => tangent.rows.first().map_or(system.places.model, |row| rows[*row].span),
+    };
+    let (text, name) = (graph.display(pivot), graph.name(carriers.speeds[column]).to_owned());
+    let by_user = !system.independent.is_empty();
+    let offer = offer(system, simplifier, judged, &start, gradients, before);
+    errors.report(place, messages::singular_at_start(&text, &name, by_user, offer.as_deref()));
     start
+}
+
+/// The pivot that vanishes at the start, and the speed that does not follow from it.
+///
+/// A chart that is none at the start has one. Of any other chart a pivot may be small among its terms alone.
+pub fn vanishing(
+    system: &InitialSystem,
+    judged: Judged<'_>,
+    start: &Start,
+    tangent: &Tangent,
+) -> Option<(Expr, usize)> {
+    let elimination = tangent.elimination.as_ref()?;
+    let relative = relative_pivot(system, start, judged.carried, judged.carriers, (0, tangent));
+    let regular = relative.is_none_or(|relative| relative > VANISHES);
+    let graph = &system.graph;
+    let known = elimination.values.iter().zip(&elimination.pivots).filter(|(pivot, _)| start.knows(graph, **pivot));
+    let vanishes = |pivot: Expr| {
+        let (v, size) = start.value(graph, pivot);
+        v.is_finite() && v.abs() <= VANISHES * size && !(regular && is_usual(system, start, (pivot, v)))
+    };
+    known.into_iter().find(|(pivot, _)| vanishes(**pivot)).map(|(pivot, column)| (*pivot, *column))
 }
 
 /// Whether the value of a pivot at the start is no smaller than beside it.
 ///
 /// The terms of a pivot that other pivots stand in are larger, step by step, than what becomes of them: that it is small among these
-/// tells nothing alone.
-fn is_usual(
-    system: &InitialSystem,
-    rows: &[DifferentiatedRow],
-    carriers: &Carriers,
-    start: &Start,
-    (pivot, value): (Expr, f64),
-) -> bool {
-    let largest = (1..=BESIDE).try_fold(0.0, |largest: f64, at| {
-        let mut near = start.beside(system, at);
-        let closed = near.close(system, rows, carriers).is_ok();
-        closed.then(|| largest.max(near.value(&system.graph, pivot).0.abs()))
-    });
-    largest.is_some_and(|largest| largest.is_finite() && value.abs() > DEPENDS * largest)
+/// tells nothing alone. It is compared where the loops are open: a pivot may vanish wherever they are closed, and rounding alone be
+/// compared with rounding there.
+fn is_usual(system: &InitialSystem, start: &Start, (pivot, value): (Expr, f64)) -> bool {
+    let beside = (1..=BESIDE).map(|at| start.beside(system, at).value(&system.graph, pivot).0.abs());
+    let largest = beside.fold(0.0, f64::max);
+    largest.is_finite() && value.abs() > DEPENDS * largest
 }
 
 /// The relative pivot of a chart at the start; `None` where the start does not tell, or where nothing was chosen.
@@ -188,34 +208,6 @@ fn dependence(rows: &[Vec<f64>]) -> Option<(usize, Vec<(usize, f64)>)> {
         basis.push((rest.iter().map(|r| r / length).collect(), weights.iter().map(|w| w / length).collect()));
     }
     None
-}
-
-/// The `independent` statement that full pivoting finds; `None` where the rows are dependent.
-fn line(system: &InitialSystem, carriers: &Carriers, mut c: Vec<Vec<f64>>) -> Option<String> {
-    let width = carriers.speeds.len();
-    let largest = c.iter().flatten().fold(0.0_f64, |a, b| a.max(b.abs()));
-    let (mut open, mut dependent): (Vec<usize>, Vec<usize>) = ((0..c.len()).collect(), Vec::new());
-    while !open.is_empty() {
-        let places = open.iter().flat_map(|i| (0..width).map(move |j| (*i, j)));
-        let free = places.filter(|(_, j)| !dependent.contains(j));
-        let (row, column) = free.max_by(|a, b| c[a.0][a.1].abs().total_cmp(&c[b.0][b.1].abs()))?;
-        let pivot = c[row][column];
-        if pivot.abs() <= VANISHES * largest {
-            return None;
-        }
-        open.retain(|i| *i != row);
-        dependent.push(column);
-        let pivot_row = c[row].clone();
-        for i in &open {
-            let factor = c[*i][column] / pivot;
-            c[*i].iter_mut().zip(&pivot_row).for_each(|(a, b)| *a -= factor * b);
-        }
-    }
-    let written = (0..width).filter(|j| !dependent.contains(j)).map(|j| {
-        let name = system.graph.name(carriers.speeds[j]);
-        name.strip_prefix("dot_").map_or_else(|| name.to_owned(), |q| format!("dot({q})"))
-    });
-    Some(format!("#[independent({})]", written.collect::<Vec<_>>().join(", ")))
 }
 
 #[cfg(test)]

@@ -78,7 +78,7 @@ pub(crate) fn singular_at_start(pivot: &str, dependent: &str, by_user: bool, bet
     let who = if by_user { "these independent speeds do" } else { "the chosen independent speeds do" };
     let mend = match better {
         Some(line) => format!("write `{line}`"),
-        None => "there the constraints are dependent, so that no choice of speeds helps".to_owned(),
+        None => "no other choice that was tried is accepted there: start elsewhere".to_owned(),
     };
     format!("{who} not determine `{dependent}` at the start, where the pivot {pivot} vanishes; {mend}")
 }
@@ -87,7 +87,7 @@ pub(crate) fn singular_at_start(pivot: &str, dependent: &str, by_user: bool, bet
 pub(crate) fn start_not_closed(open: &[(&str, f64)]) -> String {
     let rows: Vec<String> = open.iter().map(|(name, rest)| format!("`{name}` by {rest:.2e}")).collect();
     format!(
-        "the start does not close: Newton's method ends where the two sides of constraints differ, {}; give values nearer to \
+        "the start does not close: Newton's method, damped as well, ends where the two sides of constraints differ, {}; give values nearer to \
          a configuration of the mechanism, or other nominal parameters",
         rows.join(", ")
     )

@@ -21,7 +21,9 @@
 //! | [`acceleration`] | the rows that bind only the rates of the state's speeds |
 //! | [`given`] | the basis D from v = g(u, x, t) (5.8), (5.9) |
 //! | [`start`] | the start that the model names, closed |
+//! | `closing` | the two ways in which it is closed |
 //! | [`judge`] | the choice of speeds at the start that the model names |
+//! | [`offer`] | a better choice, where an error asks for one |
 //! | [`dynamics`] | M_d and h_u* (4.10), (5.6) |
 //! | [`motion`] | the rates u̇ of the state's speeds |
 //! | [`factorisation`] | L D Lᵀ along the zero pattern |
@@ -39,6 +41,7 @@ pub mod binding;
 mod bodies;
 pub mod carriers;
 pub mod chart;
+mod closing;
 pub mod combined;
 pub mod complement;
 pub mod constraints;
@@ -53,6 +56,7 @@ pub mod judge;
 pub mod lagrange;
 pub(crate) mod messages;
 pub mod motion;
+pub mod offer;
 pub mod outputs;
 pub mod overconstrained;
 pub mod pivots;

@@ -25,10 +25,14 @@ pub const BESIDE: usize = 3;
 /// A row with at least this part of the most that is left of any is taken before later ones.
 const ENOUGH: f64 = 0.3;
 
-/// Below this fraction of its terms a row counts as met by the others: Newton's method closes these as far, and no further.
+/// Below this fraction of its terms, here or where the others are open, a row counts as met by these: they are closed as far, and
+/// no further.
 const MET: f64 = 1e-8;
 
 /// Takes rows that depend on others at the start and beside it out of those that are kept, if they may depend on them.
+///
+/// Rows that repeat others identically do so by pivots that may vanish where all rows hold: where the rows that are left say less
+/// there than all did, such rows are kept in their place.
 pub fn take_out(system: &InitialSystem, rows: &[DifferentiatedRow], carriers: &Carriers, sorted: &mut Sorted) {
     let judged = |i: &usize| rows[*i].binds_speeds();
     let (marked, firm): (Vec<usize>, Vec<usize>) =
@@ -40,11 +44,16 @@ pub fn take_out(system: &InitialSystem, rows: &[DifferentiatedRow], carriers: &C
     if start.close(system, rows, carriers).is_err() {
         return;
     }
-    let Some(left) = dependent(&start, &system.graph, rows, &firm, &marked) else { return };
-    if left.is_empty() || !repeat(system, rows, carriers, &start, (&sorted.kept, &left)) {
+    let repeated: Vec<usize> = sorted.redundant.iter().map(|redundant| redundant.row).filter(judged).collect();
+    let Some((left, added)) = dependent(&start, &system.graph, rows, &firm, (&marked, &repeated)) else { return };
+    let kept: Vec<usize> = sorted.kept.iter().chain(&added).copied().collect();
+    if left.is_empty() || !repeat(system, rows, carriers, &start, (&kept, &left)) {
         return;
     }
+    sorted.kept = kept;
     sorted.kept.retain(|i| !left.contains(i));
+    sorted.kept.sort_unstable();
+    sorted.redundant.retain(|redundant| !added.contains(&redundant.row));
     let excess = system.graph.zero();
     sorted.redundant.extend(left.into_iter().map(|row| Redundant {
         row,
@@ -56,33 +65,41 @@ pub fn take_out(system: &InitialSystem, rows: &[DifferentiatedRow], carriers: &C
     sorted.redundant.iter_mut().for_each(|redundant| redundant.combination = None);
 }
 
-/// The marked rows of which nothing is left beside the firm ones and the best of the marked ones; `None` where they have no numbers.
+/// The marked rows of which nothing is left beside the firm ones and the best of the marked ones, and the repeated ones of which
+/// something is; `None` where they have no numbers.
 fn dependent(
     start: &Start,
     graph: &Graph,
     rows: &[DifferentiatedRow],
     firm: &[usize],
-    marked: &[usize],
-) -> Option<Vec<usize>> {
+    (marked, repeated): (&[usize], &[usize]),
+) -> Option<(Vec<usize>, Vec<usize>)> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     for i in firm {
         let row = rest(&numbers(start, graph, &rows[*i].gradient)?, &basis);
         extend(&mut basis, row);
     }
-    let mut open: Vec<(usize, Vec<f64>)> = Vec::new();
-    for i in marked {
-        open.push((*i, numbers(start, graph, &rows[*i].gradient)?));
-    }
+    let with_numbers = |i: &usize| Some((*i, numbers(start, graph, &rows[*i].gradient)?));
+    let (_, left) = best(marked.iter().map(with_numbers).collect::<Option<_>>()?, &mut basis)?;
+    let (added, _) = best(repeated.iter().map(with_numbers).collect::<Option<_>>()?, &mut basis)?;
+    Some((left, added))
+}
+
+/// Adds the best of the rows to the basis until nothing is left of any; those that are in it, and those that are not.
+fn best(mut open: Vec<(usize, Vec<f64>)>, basis: &mut Vec<Vec<f64>>) -> Option<(Vec<usize>, Vec<usize>)> {
+    let mut taken = Vec::new();
     loop {
         // the part of a row without length is no number, and less than any
-        let parts: Vec<f64> = open.iter().map(|(_, row)| length(&rest(row, &basis)) / length(row)).collect();
+        let parts: Vec<f64> = open.iter().map(|(_, row)| length(&rest(row, basis)) / length(row)).collect();
         let most = parts.iter().copied().fold(0.0, f64::max);
         if most <= DEPENDS {
-            return Some(open.into_iter().map(|(i, _)| i).collect());
+            return Some((taken, open.into_iter().map(|(i, _)| i).collect()));
         }
         let at = parts.iter().position(|part| *part >= ENOUGH * most)?;
-        let row = rest(&open.remove(at).1, &basis);
-        extend(&mut basis, row);
+        let (i, row) = open.remove(at);
+        let row = rest(&row, basis);
+        extend(basis, row);
+        taken.push(i);
     }
 }
 
@@ -107,7 +124,7 @@ pub fn repeat(
         row.push(numbers(near, &graph, &[values[*i].unwrap_or(zero)])?[0]);
         Some(row)
     };
-    let holds = |near: &Start| -> Option<bool> {
+    let holds = |near: &Start, open: &Start| -> Option<bool> {
         let mut basis = Vec::new();
         for i in &others {
             let row = rest(&with_value(near, i)?, &basis);
@@ -116,8 +133,8 @@ pub fn repeat(
         for i in left {
             let row = with_value(near, i)?;
             let met = rows[*i].position.is_none_or(|f| {
-                let (value, size) = near.value(&graph, f);
-                value.abs() <= MET * size
+                let ((value, size), (_, before)) = (near.value(&graph, f), open.value(&graph, f));
+                value.abs() <= MET * size.max(before)
             });
             if !met || length(&rest(&row, &basis)) > DEPENDS * length(&row) {
                 return Some(false);
@@ -126,8 +143,9 @@ pub fn repeat(
         Some(true)
     };
     (1..=BESIDE).all(|at| {
-        let mut near = start.beside(system, at);
-        near.close(system, &closing, carriers).is_ok() && holds(&near) == Some(true)
+        let open = start.beside(system, at);
+        let mut near = open.clone();
+        near.close(system, &closing, carriers).is_ok() && holds(&near, &open) == Some(true)
     })
 }
 

@@ -7,7 +7,7 @@ use super::chart::{Chart, chart, further_charts};
 use super::dependence::{self, Sorted, check_redundant};
 use super::dynamics::to_state;
 use super::equations::Equations;
-use super::judge::{figure, judge, relative_pivot};
+use super::judge::{Judged, figure, judge, relative_pivot};
 use super::outputs::{bind, outputs};
 use super::overconstrained::relate;
 use super::reactions::{Motion, rates as rates_of, reactions, shared};
@@ -30,15 +30,16 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     let before = system.graph.assumptions();
     let tangent = tangent(&mut system, simplifier, &rows, &sorted.kept, &carried, &carriers, 0, &mut errors);
     let Some(tangent) = tangent else { return Err(errors) };
+    let judged = Judged { rows: &rows, kept: &sorted.kept, carried: &carried, carriers: &carriers };
+    let start = judge(&mut system, simplifier, judged, &tangent, &before, &mut errors);
+    if !errors.is_empty() {
+        return Err(errors);
+    }
     if tangent.speeds.is_empty()
         && system.mechanism.is_some()
         && let Some(last) = immovable(&system, &rows, &sorted.kept)
     {
         errors.report(rows[last].span, messages::immovable(system.speeds.len()));
-        return Err(errors);
-    }
-    let start = judge(&system, &rows, &sorted.kept, &carried, &carriers, &tangent, &mut errors);
-    if !errors.is_empty() {
         return Err(errors);
     }
     relate(&mut system, simplifier, &rows, &carried, &tangent, &mut sorted);
