@@ -6,10 +6,11 @@ mod random;
 mod support;
 
 use claims::agreement::{NOT_REACHED, agrees};
-use claims::evaluated::{projected, simplified};
+use claims::evaluated::{joint_by_joint, projected, simplified};
 use holonomy_engine::projection::Equations;
 use oracle::Report;
 use random::{RandomModel, closed_mechanism, counted};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use support::parallel;
 use support::splitmix::SplitMix;
 
@@ -19,6 +20,9 @@ const PROJECTED: usize = 560;
 const COMPARED: usize = 500;
 /// ... and how many are drawn in the forms in which they are emitted.
 const EMITTED: usize = 32;
+
+/// How many of those that are compared are eliminated joint by joint where that is asked, at least.
+const RECURSIVE: usize = 300;
 
 /// How often each class must occur among the equations as they come.
 const CLASSES: [(&str, usize); 2] = [("platform", 20), ("slider in a loop", 40)];
@@ -93,6 +97,19 @@ fn random_closed_mechanisms_as_projected_agree_with_the_oracle() {
     for (class, least) in CLASSES {
         assert!(count(class) >= least, "{} of {class}", count(class));
     }
+}
+
+#[test]
+fn random_closed_mechanisms_joint_by_joint_agree_with_the_oracle() {
+    let recursive = AtomicUsize::new(0);
+    let (_, compared) = all_agree(PROJECTED, |source| {
+        let equations = joint_by_joint(source)?;
+        recursive.fetch_add(usize::from(equations.is_recursive()), Ordering::Relaxed);
+        Ok(equations)
+    });
+    let recursive = recursive.into_inner();
+    println!("{recursive} of {PROJECTED} mechanisms joint by joint");
+    assert!(compared >= COMPARED && recursive >= RECURSIVE, "{compared} compared, {recursive} joint by joint");
 }
 
 #[test]

@@ -40,12 +40,17 @@ pub fn joint_by_joint(
     let asked = match wanted {
         Some((Elimination::Recursive, span)) => Some(span),
         Some((Elimination::Matrix, _)) => return Ok(None),
-        None if system.mechanism.is_none() || !system.is_open() || system.speeds.len() < FEWEST => return Ok(None),
+        None if system.mechanism.is_none() || !system.is_tree() || left(system) < FEWEST => return Ok(None),
         None => None,
     };
     let mut tried = system.clone();
     tried.elimination = Elimination::Recursive;
-    let equations = project(tried, &mut AsIs)?;
+    let equations = match project(tried, &mut AsIs) {
+        Ok(equations) => equations,
+        // What is wrong with the model is told by M_d as a whole.
+        Err(_) if asked.is_none() => return Ok(None),
+        Err(errors) => return Err(errors),
+    };
     if !equations.is_recursive() {
         return match asked {
             Some(span) => {
@@ -58,6 +63,11 @@ pub fn joint_by_joint(
     }
     let (cycles, whole) = (of_motion(&equations), factorisation(&equations));
     Ok(Some(Recursive { equations, cycles, whole, asked: asked.is_some() }))
+}
+
+/// How many speeds the rows leave at least.
+fn left(system: &InitialSystem) -> usize {
+    system.speeds.len().saturating_sub(system.rows.len())
 }
 
 impl Recursive {

@@ -30,10 +30,13 @@ pub fn binding(
     simplifier: &mut dyn Simplifier,
     errors: &mut Diagnostics,
 ) -> Option<Binding> {
-    match system.mechanism {
+    let tree = match system.mechanism {
         Some(_) => bodies::complete(system, simplifier),
-        None => lagrange::complete(system, simplifier),
-    }
+        None => {
+            lagrange::complete(system, simplifier);
+            None
+        }
+    };
     let rows = differentiate(system);
     let n = system.speeds.len();
     let mut sorted = sort(&mut system.graph, simplifier, &rows, n, errors);
@@ -43,6 +46,13 @@ pub fn binding(
         return None;
     }
     overconstrained::take_out(system, &rows, &carriers, &mut sorted);
+    if let Some(tree) = tree {
+        let kept: Vec<&DifferentiatedRow> = sorted.kept.iter().map(|i| &rows[*i]).collect();
+        if !bodies::close(system, tree, &kept) {
+            errors.report(system.places.model, messages::not_joint_by_joint());
+            return None;
+        }
+    }
     let (carried, overlapping) = carried(system, simplifier, &rows, &sorted.kept, &carriers, errors);
     errors.is_empty().then_some(Binding { rows, sorted, carriers, carried, overlapping, second_stage })
 }

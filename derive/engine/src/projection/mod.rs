@@ -24,6 +24,7 @@
 //! | [`judge`] | the choice of speeds at the start that the model names |
 //! | [`dynamics`] | M_d and h_u* (4.10), (5.6) |
 //! | [`motion`] | the rates u̇ of the state's speeds |
+//! | [`swept`] | the same joint by joint, with λ |
 //! | [`factorisation`] | L D Lᵀ along the zero pattern |
 //! | [`reactions`] | λ for all rows in the initial space |
 //! | [`mod@outputs`] | what the model tells besides its motion |
@@ -60,6 +61,7 @@ pub mod project;
 pub mod reactions;
 pub mod start;
 pub mod steps;
+pub mod swept;
 pub mod tangent;
 #[cfg(test)]
 mod tests;
