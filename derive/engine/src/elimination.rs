@@ -1,25 +1,23 @@
-//! Whether an open mechanism is eliminated joint by joint: O(n) operations in a long chain of divisions, or O(n³) side by side.
+//! Whether a mechanism is eliminated joint by joint: O(n) operations in a long chain of divisions, or O(n³) side by side.
 //!
-//! Both are judged by [`cycles`](crate::program::Code::cycles), not by counts. Joint by joint the equations are soon found. M_d as a
+//! Loops are closed on top of the tree, one sweep a row, so that few rows on many speeds are what it is for. Both are judged by [`cycles`](crate::program::Code::cycles), not by counts. Joint by joint the equations are soon found. M_d as a
 //! whole is not even derived where its factorisation alone, along the zero pattern of the tree, takes longer, and no cheaper forms of
 //! it are searched where it takes longer as it comes, by more than forms are likely to save.
 
+mod whole;
+
 use crate::model::InitialSystem;
-use crate::program::{cycles, eliminated};
-use crate::projection::{AsIs, Equations, couplings, inverse_dynamics, messages, project};
+use crate::program::cycles;
+use crate::projection::{AsIs, Equations, inverse_dynamics, messages, project};
 use crate::symbolic::Expr;
 use crate::syntax::{Diagnostics, Elimination};
 use proc_macro2::Span;
+use whole::factorisation;
 
-/// Mechanisms of fewer speeds have M_d as a whole without a question.
+/// Mechanisms of fewer independent speeds have M_d as a whole without a question.
 const FEWEST: usize = 6;
 /// What part of a motion as it comes may be saved by cheaper forms.
 const SAVED: usize = 10;
-
-/// Operations in an entry of M_d off the diagonal, as of a cosine of a difference.
-const ENTRY: usize = 4;
-/// ... and in the solution, for each entry of L: forwards and backwards.
-const SOLVED: usize = 4;
 
 /// The motion joint by joint, and what it takes.
 pub struct Recursive {
@@ -100,14 +98,6 @@ impl Recursive {
         inverse_dynamics(&mut equations);
         equations
     }
-}
-
-/// Cycles that M_d as a whole takes at least: its entries, L D Lᵀ from the leaves along the tree, and the solution.
-fn factorisation(equations: &Equations) -> usize {
-    let inwards = couplings(equations);
-    let deepest = inwards.iter().max().map_or(0, |inwards| inwards + 1);
-    let each = |a: &usize| a * (ENTRY + 1 + SOLVED) + a * (a + 1);
-    eliminated(inwards.iter().map(each).sum(), inwards.len(), deepest)
 }
 
 /// What the rates of a state take.

@@ -115,6 +115,36 @@ fn long_chains_are_eliminated_joint_by_joint() {
     assert_eq!([5, 10, 20, 40].map(chosen), [false, false, true, true]);
 }
 
+/// The rods of [`absolute`], the end of the last one pinned.
+fn pinned(n: usize) -> TokenStream {
+    let text = absolute(n).to_string().replace(
+        "# [body",
+        "# [point (Q = P [n - 1] + l * L [n - 1] . x)] # [constraint (pin : Q == O + d * N . y)] # [body",
+    );
+    assert!(text.contains("constraint"), "{text}");
+    tokens(&text.replace("m : f64", "m : f64, d : f64"))
+}
+
+/// The rods of [`spatial`] likewise.
+fn pinned_in_space(n: usize) -> TokenStream {
+    let text = spatial(n).to_string().replace(
+        "# [body",
+        "# [point (Q = P [n - 1] + l * L [n - 1] . z)] # [constraint (pin : Q == O + d * N . x)] # [body",
+    );
+    assert!(text.contains("constraint"), "{text}");
+    tokens(&text.replace("m : f64", "m : f64, d : f64"))
+}
+
+#[test]
+fn pinned_rods_grow_linearly() {
+    grows("pinned rods", pinned, 200);
+}
+
+#[test]
+fn pinned_rods_in_space_grow_linearly() {
+    grows("pinned rods in space", pinned_in_space, 1000);
+}
+
 /// M and h* as a whole: n² entries that each cost the same.
 #[test]
 fn the_mass_matrix_grows_quadratically() {

@@ -67,7 +67,7 @@ pub mod tangent;
 mod tests;
 
 pub use alternatives::{Alternative, Alternatives, Quality};
-pub use bodies::{couplings, inverse_dynamics};
+pub use bodies::{inverse_dynamics, ways};
 pub use equations::{ChartEquations, Equations, Guard, GuardKind, Level, RowFacts};
 pub use motion::{COMPLIANCE_PIVOT, INERTIA_PIVOT};
 pub use outputs::{OutputFacts, Outputs};

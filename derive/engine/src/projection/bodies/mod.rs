@@ -46,7 +46,7 @@ mod tree;
 
 pub use inverse::tell as inverse_dynamics;
 pub use loops::Tree;
-pub use partial::couplings;
+pub use partial::ways;
 
 use super::Simplifier;
 use super::constraints::{DifferentiatedRow, motion_of_norm};
