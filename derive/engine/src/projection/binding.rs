@@ -37,11 +37,15 @@ pub fn binding(
             None
         }
     };
-    let rows = differentiate(system);
+    let rows = differentiate(system, tree.is_some());
     let n = system.speeds.len();
     let mut sorted = sort(&mut system.graph, simplifier, &rows, n, errors);
     let carriers = carriers(system, simplifier);
-    let second_stage = check_configuration(system, simplifier, &rows, &carriers, errors);
+    // A tree has no configuration, and its rows bind its speeds.
+    let second_stage = match tree.is_some() && sorted.kept.len() == rows.len() {
+        true => None,
+        false => check_configuration(system, simplifier, &rows, &carriers, errors),
+    };
     if !errors.is_empty() {
         return None;
     }
