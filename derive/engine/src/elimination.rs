@@ -6,9 +6,11 @@
 
 mod whole;
 
+use crate::forms::Forms;
 use crate::model::InitialSystem;
 use crate::program::cycles;
 use crate::projection::{AsIs, Equations, inverse_dynamics, messages, project};
+use crate::simplify::Search;
 use crate::symbolic::Expr;
 use crate::syntax::{Diagnostics, Elimination};
 use proc_macro2::Span;
@@ -30,10 +32,12 @@ pub struct Recursive {
 }
 
 /// The equations joint by joint, where the mechanism has them and they are wanted or may be better. An error where they are wanted and
-/// the mechanism has none.
+/// the mechanism has none. What rows need (pivots of the chart, shares of those that repeat others) is brought to cheaper forms on the
+/// way; what passes from joint to joint is not.
 pub fn joint_by_joint(
     system: &InitialSystem,
     wanted: Option<(Elimination, Span)>,
+    search: Search,
 ) -> Result<Option<Recursive>, Diagnostics> {
     let asked = match wanted {
         Some((Elimination::Recursive, span)) => Some(span),
@@ -43,7 +47,12 @@ pub fn joint_by_joint(
     };
     let mut tried = system.clone();
     tried.elimination = Elimination::Recursive;
-    let equations = match project(tried, &mut AsIs) {
+    let projected = match search {
+        Search::Off => project(tried, &mut AsIs),
+        _ if system.rows.is_empty() => project(tried, &mut AsIs),
+        _ => project(tried, &mut Forms::new(search)),
+    };
+    let equations = match projected {
         Ok(equations) => equations,
         // What is wrong with the model is told by M_d as a whole.
         Err(_) if asked.is_none() => return Ok(None),
