@@ -6,15 +6,18 @@ mod random;
 mod support;
 
 use claims::agreement::agrees;
-use claims::evaluated::{projected, simplified};
+use claims::evaluated::{joint_by_joint, projected, simplified};
 use holonomy_engine::projection::Equations;
 use oracle::Report;
 use random::{RandomModel, closed_mechanism, counted};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use support::parallel;
 use support::splitmix::SplitMix;
 
 /// How many are drawn as the equations come, ...
 const PROJECTED: usize = 560;
+/// ... how many are drawn to be eliminated joint by joint, and how many of these are, at least, ...
+const JOINT_BY_JOINT: (usize, usize) = (280, 150);
 /// ... and how many are drawn in the forms in which they are emitted.
 const EMITTED: usize = 32;
 
@@ -110,6 +113,20 @@ fn random_closed_mechanisms_as_projected_agree_with_the_oracle() {
     for (class, least) in CLASSES {
         assert!(count(class) >= least, "{} of {class}", count(class));
     }
+}
+
+#[test]
+fn random_closed_mechanisms_joint_by_joint_agree_with_the_oracle() {
+    let recursive = AtomicUsize::new(0);
+    let (drawn, least) = JOINT_BY_JOINT;
+    all_agree(drawn, |source| {
+        let equations = joint_by_joint(source)?;
+        recursive.fetch_add(usize::from(equations.is_recursive()), Ordering::Relaxed);
+        Ok(equations)
+    });
+    let recursive = recursive.into_inner();
+    println!("{recursive} of {drawn} mechanisms joint by joint");
+    assert!(recursive >= least, "{recursive} of {drawn} joint by joint");
 }
 
 #[test]

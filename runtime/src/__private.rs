@@ -31,6 +31,34 @@ pub fn symmetric<T: Scalar, V: Vector<T>, const N: usize>(of: impl Fn(&V) -> V) 
     matrix
 }
 
+/// D M Dᵀ by what M makes of vectors.
+pub fn projected<T: Scalar, V: Vector<T>, const K: usize, const N: usize>(
+    d: &SMatrix<T, K, N>,
+    of: impl Fn(&V) -> V,
+) -> SMatrix<T, K, K> {
+    let mut matrix = SMatrix::from_fn(|_, _| T::from_f64(0.0));
+    for j in 0..K {
+        let column: V::Array = of(&V::from_fn(|i| d[(j, i)])).into();
+        for i in j..K {
+            let value = along(d, i, column.as_ref());
+            matrix[(i, j)] = value;
+            matrix[(j, i)] = value;
+        }
+    }
+    matrix
+}
+
+/// −D r: what forces along the independent speeds are left where the rates at hand need r.
+pub fn left<T: Scalar, V: Vector<T>, const K: usize, const N: usize>(d: &SMatrix<T, K, N>, needed: &V) -> [T; K] {
+    let needed: V::Array = (*needed).into();
+    array::from_fn(|i| -along(d, i, needed.as_ref()))
+}
+
+/// The i-th entry of D r.
+fn along<T: Scalar, const K: usize, const N: usize>(d: &SMatrix<T, K, N>, i: usize, r: &[T]) -> T {
+    r.iter().enumerate().fold(T::from_f64(0.0), |sum, (j, r)| sum + d[(i, j)] * *r)
+}
+
 /// Every parameter must be finite.
 pub fn check_parameters<T: Scalar>(names: &[&'static str], values: &[T]) -> Result<(), Error> {
     for (name, value) in names.iter().zip(values) {

@@ -74,7 +74,7 @@ pub fn projected(source: &str) -> Result<Equations, String> {
     Ok(equations)
 }
 
-/// The same eliminated joint by joint, where the model is an open mechanism.
+/// The same eliminated joint by joint, where the model is a tree with rows that bind it linearly.
 ///
 /// # Errors
 /// What the engine says about a model that it refuses.
@@ -202,6 +202,12 @@ impl Evaluated<'_> {
             });
             DMatrix::from_columns(&columns.map(Into::into).collect::<Vec<DVector<f64>>>())
         };
+        // M v̇ - h* of given v̇
+        let needed = |rates: &[f64]| {
+            let mut algebra = self.values(t, [(&e.coordinates, &coordinates), (&e.speeds, &velocities)]);
+            algebra.0.extend(e.velocity_rate_symbols.iter().copied().zip(rates.iter().copied()));
+            e.graph.evaluate_in(&e.inverse_dynamics, &mut algebra)
+        };
         let of_bodies = !e.momenta.is_empty();
         let matrix =
             |matrix: &Matrix, values: Vec<f64>| DMatrix::from_row_slice(matrix.rows(), matrix.columns(), &values);
@@ -236,6 +242,8 @@ impl Evaluated<'_> {
             algebra.0.extend(e.outputs.reactions.iter().map(|(symbol, at)| (*symbol, multipliers[*at].value)));
             e.graph.evaluate_in(&e.outputs.carried, &mut algebra)
         });
+        let complement = matrix(&e.complement, state(e.complement.entries()));
+        let complement_bias = state(&e.complement_bias);
         Claim {
             t,
             state_coordinates: q.to_vec(),
@@ -246,12 +254,15 @@ impl Evaluated<'_> {
             velocity_rates: along.iter().map(|v| v.rate).collect(),
             given_rates: given_rates.clone(),
             mass_matrix: match e.is_recursive() {
-                true => inertia(),
+                true => &complement * inertia() * complement.transpose(),
                 false => matrix(&e.mass_matrix, state(e.mass_matrix.entries())),
             },
-            forcing: state(&e.forcing),
-            complement: matrix(&e.complement, state(e.complement.entries())),
-            complement_bias: state(&e.complement_bias),
+            forcing: match e.is_recursive() {
+                true => (-&complement * DVector::from(needed(&complement_bias))).as_slice().to_vec(),
+                false => state(&e.forcing),
+            },
+            complement,
+            complement_bias,
             guards: state(&e.guards.iter().map(|guard| guard.expr).collect::<Vec<_>>()),
             multipliers,
             row_names: e.row_names(),
@@ -266,11 +277,7 @@ impl Evaluated<'_> {
                 false => matrix(&e.inertia, initial(e.inertia.entries())),
             },
             momenta: of_bodies.then(|| momenta(&velocities)),
-            inverse_dynamics: of_bodies.then(|| {
-                let mut algebra = self.values(t, [(&e.coordinates, &coordinates), (&e.speeds, &velocities)]);
-                algebra.0.extend(e.velocity_rate_symbols.iter().copied().zip(given_rates.iter().copied()));
-                e.graph.evaluate_in(&e.inverse_dynamics, &mut algebra)
-            }),
+            inverse_dynamics: of_bodies.then(|| needed(&given_rates)),
             forces: initial(&e.forces),
             kinetic_energy: initial(&[e.kinetic_energy])[0],
             potential_energy: e.potential_energy.map(|potential| initial(&[potential])[0]),

@@ -191,7 +191,9 @@ macro_rules! every_model {
                 FiveRods(m, l, g)
                 TenRods(m, l, g)
                 TenRodsByJoints(m, l, g)
-                TwentyRods(m, l, g);
+                TwentyRods(m, l, g)
+                PinnedRodsByJoints(m, l, c, g)
+                HeldRodsByJoints(m, l, r, g);
             "tests/models/geometry/sleigh.rs" sleigh:
                 BladedSleigh(m, i, a);
             "tests/models/geometry/top.rs" top:

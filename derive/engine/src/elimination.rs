@@ -1,25 +1,26 @@
-//! Whether an open mechanism is eliminated joint by joint: O(n) operations in a long chain of divisions, or O(n³) side by side.
+//! Whether a mechanism is eliminated joint by joint: O(n) operations in a long chain of divisions, or O(n³) side by side.
 //!
-//! Both are judged by [`cycles`](crate::program::Code::cycles), not by counts. Joint by joint the equations are soon found. M_d as a
-//! whole is not even derived where its factorisation alone, along the zero pattern of the tree, takes longer, and no cheaper forms of
-//! it are searched where it takes longer as it comes, by more than forms are likely to save.
+//! Loops are closed on top of the tree, one sweep a row, so that few rows on many speeds are what it is for. Both are judged by
+//! [`cycles`](crate::program::Code::cycles), not by counts. Joint by joint the equations are soon found. M_d as a whole is not even
+//! derived where its factorisation alone, along the zero pattern of the tree, takes longer, and no cheaper forms of it are searched
+//! where it takes longer as it comes, by more than forms are likely to save.
 
+mod whole;
+
+use crate::forms::Forms;
 use crate::model::InitialSystem;
-use crate::program::{cycles, eliminated};
-use crate::projection::{AsIs, Equations, couplings, inverse_dynamics, messages, project};
+use crate::program::cycles;
+use crate::projection::{AsIs, Equations, inverse_dynamics, messages, project};
+use crate::simplify::Search;
 use crate::symbolic::Expr;
 use crate::syntax::{Diagnostics, Elimination};
 use proc_macro2::Span;
+use whole::factorisation;
 
-/// Mechanisms of fewer speeds have M_d as a whole without a question.
+/// Mechanisms of fewer independent speeds have M_d as a whole without a question.
 const FEWEST: usize = 6;
 /// What part of a motion as it comes may be saved by cheaper forms.
 const SAVED: usize = 10;
-
-/// Operations in an entry of M_d off the diagonal, as of a cosine of a difference.
-const ENTRY: usize = 4;
-/// ... and in the solution, for each entry of L: forwards and backwards.
-const SOLVED: usize = 4;
 
 /// The motion joint by joint, and what it takes.
 pub struct Recursive {
@@ -32,20 +33,32 @@ pub struct Recursive {
 }
 
 /// The equations joint by joint, where the mechanism has them and they are wanted or may be better. An error where they are wanted and
-/// the mechanism has none.
+/// the mechanism has none. What rows need (pivots of the chart, shares of those that repeat others) is brought to cheaper forms on the
+/// way; what passes from joint to joint is not.
 pub fn joint_by_joint(
     system: &InitialSystem,
     wanted: Option<(Elimination, Span)>,
+    search: Search,
 ) -> Result<Option<Recursive>, Diagnostics> {
     let asked = match wanted {
         Some((Elimination::Recursive, span)) => Some(span),
         Some((Elimination::Matrix, _)) => return Ok(None),
-        None if system.mechanism.is_none() || !system.is_open() || system.speeds.len() < FEWEST => return Ok(None),
+        None if system.mechanism.is_none() || !system.is_tree() || left(system) < FEWEST => return Ok(None),
         None => None,
     };
     let mut tried = system.clone();
     tried.elimination = Elimination::Recursive;
-    let equations = project(tried, &mut AsIs)?;
+    let projected = match search {
+        Search::Off => project(tried, &mut AsIs),
+        _ if system.rows.is_empty() => project(tried, &mut AsIs),
+        _ => project(tried, &mut Forms::new(search)),
+    };
+    let equations = match projected {
+        Ok(equations) => equations,
+        // What is wrong with the model is told by M_d as a whole.
+        Err(_) if asked.is_none() => return Ok(None),
+        Err(errors) => return Err(errors),
+    };
     if !equations.is_recursive() {
         return match asked {
             Some(span) => {
@@ -58,6 +71,11 @@ pub fn joint_by_joint(
     }
     let (cycles, whole) = (of_motion(&equations), factorisation(&equations));
     Ok(Some(Recursive { equations, cycles, whole, asked: asked.is_some() }))
+}
+
+/// How many speeds the rows leave at least.
+fn left(system: &InitialSystem) -> usize {
+    system.speeds.len().saturating_sub(system.rows.len())
 }
 
 impl Recursive {
@@ -90,14 +108,6 @@ impl Recursive {
         inverse_dynamics(&mut equations);
         equations
     }
-}
-
-/// Cycles that M_d as a whole takes at least: its entries, L D Lᵀ from the leaves along the tree, and the solution.
-fn factorisation(equations: &Equations) -> usize {
-    let inwards = couplings(equations);
-    let deepest = inwards.iter().max().map_or(0, |inwards| inwards + 1);
-    let each = |a: &usize| a * (ENTRY + 1 + SOLVED) + a * (a + 1);
-    eliminated(inwards.iter().map(each).sum(), inwards.len(), deepest)
 }
 
 /// What the rates of a state take.

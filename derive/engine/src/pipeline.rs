@@ -138,12 +138,14 @@ fn equations(
     };
     after(Step::Model, system.graph.len());
     choose(&mut system);
-    let mut recursive = joint_by_joint(&system, declarations.options.elimination)?;
+    let search = if declarations.options.simplify { search } else { Search::Off };
+    let mut recursive = joint_by_joint(&system, declarations.options.elimination, search)?;
     if let Some(recursive) = recursive.take_if(|recursive| recursive.is_surely_faster(&system)) {
         after(Step::Projection, recursive.size());
-        return finished(recursive.taken(), declarations, after);
+        let equations = recursive.taken();
+        unchanged(&equations.graph, &declarations.ident)?;
+        return finished(equations, declarations, after);
     }
-    let search = if declarations.options.simplify { search } else { Search::Off };
     let mut equations = match search {
         Search::Off => {
             let equations = project(system, &mut AsIs)?;
@@ -164,7 +166,9 @@ fn equations(
     };
     inverse_dynamics(&mut equations);
     let faster = recursive.take_if(|recursive| recursive.is_faster_than(&equations));
-    finished(faster.map_or(equations, Recursive::taken), declarations, after)
+    let equations = faster.map_or(equations, Recursive::taken);
+    unchanged(&equations.graph, &declarations.ident)?;
+    finished(equations, declarations, after)
 }
 
 /// The last judgements of what will be emitted.

@@ -90,7 +90,9 @@ impl<'a> Texts<'a> {
         if !e.is_recursive() {
             c.matrix("mass_matrix", "M_d", "(4.10)", &e.mass_matrix);
         }
-        c.list("forcing", "h_u*", number("(4.10)", "(5.6)"), &e.forcing);
+        if !e.is_recursive() || e.is_untied() {
+            c.list("forcing", "h_u*", number("(4.10)", "(5.6)"), &e.forcing);
+        }
         if configured {
             c.each("coordinates", "(4.2)", names(&e.coordinates), &e.initial_coordinates);
         }
@@ -99,15 +101,15 @@ impl<'a> Texts<'a> {
             c.each("chart_0_speeds", "(5.2)", names(&e.state_speeds), &e.chart_speeds[0]);
         }
         c.each("velocities", number("(4.4)", "(5.3)"), names(&e.speeds), &e.velocities);
-        // Where M is told by what it does, D and A are unit matrices.
-        if !e.is_recursive() {
+        // Where M is told by what it does, D is the unit matrix if nothing ties the speeds, and A if there are no quaternions.
+        if !e.is_recursive() || !e.is_untied() {
             c.matrix("complement", "D", number("(4.9)", "(3.1)"), &e.complement);
         }
         c.list("complement_bias", "a_u", number("(4.5)", "(5.5)"), &e.complement_bias);
         c.each("velocity_rates", number("(4.5)", "(5.5)"), c.dots(&e.speeds), &e.velocity_rates);
         let lambdas = e.multiplier_names.iter().map(|n| format!("lambda({n})")).collect();
         c.each("multipliers", "(3.6)", lambdas, &e.multipliers);
-        if !e.is_recursive() {
+        if !e.is_recursive() || e.norms > 0 {
             c.matrix("kinematic_matrix", "A", "(2.1)", &e.kinematic_matrix);
         }
         c.list("kinematic_bias", "a0", "(2.1)", &e.kinematic_bias);

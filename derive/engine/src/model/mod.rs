@@ -50,8 +50,8 @@ mod vocabulary;
 
 pub use mechanism::Mechanism;
 pub use system::{
-    Chosen, ComplementRow, Configuration, Independent, IndependentSpeed, InitialSystem, Kinematics, Open, Output,
-    Outputs, Places, Reaction, Row, RowKind, Velocities,
+    Chosen, ComplementRow, Configuration, Independent, IndependentSpeed, InitialSystem, Kinematics, Output, Outputs,
+    Places, Reaction, Row, RowKind, Swept, Velocities,
 };
 
 use crate::symbolic::{Expr, Matrix, Symbol};
@@ -186,7 +186,7 @@ fn attempt(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Option
         potential,
         mechanism,
         elimination: Elimination::Matrix,
-        open: None,
+        swept: None,
         rows,
         configuration,
         velocities,

@@ -41,8 +41,8 @@ pub struct InitialSystem {
     pub mechanism: Option<Mechanism>,
     /// How the motion of bodies is to be found.
     pub elimination: Elimination,
-    /// v̇ of an open mechanism that was eliminated joint by joint: then `inertia` has no entries.
-    pub open: Option<Open>,
+    /// v̇ and λ of a tree that was eliminated joint by joint: then `inertia` has no entries.
+    pub swept: Option<Swept>,
     /// The constraints in order.
     pub rows: Vec<Row>,
     /// x = g(q, t) (4.2), where the model gives it.
@@ -81,14 +81,14 @@ impl InitialSystem {
         self.norm_rates().into_iter().map(|rate| (rate, self.graph.zero())).collect()
     }
 
-    /// Whether nothing ties the speeds, which are the rates of the coordinates and stand in the state as they are.
-    pub fn is_open(&self) -> bool {
-        self.rows.is_empty()
+    /// Whether the speeds are those of joints, and tied by nothing but rows that bind them linearly.
+    pub fn is_tree(&self) -> bool {
+        let linear = |row: &Row| matches!(row.kind, RowKind::Position(_) | RowKind::Norm { .. } | RowKind::Velocity(_));
+        self.rows.iter().all(linear)
             && self.configuration.is_none()
             && self.velocities.is_none()
             && self.complement.is_none()
-            && self.independent.is_empty()
-            && self.rates_are_speeds()
+            && (self.joint_speeds || self.rates_are_speeds())
     }
 
     /// Whether v are the rates of x themselves.
@@ -102,13 +102,17 @@ impl InitialSystem {
     }
 }
 
-/// The motion of an open mechanism.
+/// The motion of a tree whose joints are tied by rows, over (x, v).
 #[derive(Clone, Debug)]
-pub struct Open {
+pub struct Swept {
     /// v̇.
     pub rates: Vec<Expr>,
-    /// The position of each speed with its pivot, from the leaves inwards.
+    /// λ of the independent rows.
+    pub multipliers: Vec<Expr>,
+    /// The position of each speed with its pivot of M, from the leaves inwards.
     pub pivots: Vec<(usize, Expr)>,
+    /// The position of each of these rows with its pivot of C M⁻¹ Cᵀ, in the order of elimination.
+    pub compliances: Vec<(usize, Expr)>,
 }
 
 /// Both directions of the kinematics.

@@ -160,7 +160,7 @@ pub fn entries(equations: &Equations) -> Vec<Entry> {
             velocities(&e.complement_bias, prefixed("a", &v)),
         ),
         one(
-            "velocity_rates",
+            VELOCITY_RATES,
             StateInputs,
             "v̇ = Dᵀ ν + a_u (4.5), (5.5), for all velocities.",
             velocities(&e.velocity_rates, rates_of(&v)),
@@ -211,7 +211,9 @@ pub fn entries(equations: &Equations) -> Vec<Entry> {
         ),
     ];
     if e.is_recursive() {
-        all.retain(|entry| !WITHOUT_MATRIX.contains(&entry.name.as_str()));
+        // Tied speeds have rates that the derivative does not tell.
+        let told = |name: &str| !WITHOUT_MATRIX.contains(&name) || name == VELOCITY_RATES && !e.is_untied();
+        all.retain(|entry| told(&entry.name));
     }
     if bodies {
         let law = "M v: the generalised momenta, along the tree of bodies.";
@@ -233,11 +235,12 @@ pub fn entries(equations: &Equations) -> Vec<Entry> {
     all
 }
 
+const VELOCITY_RATES: &str = "velocity_rates";
 const MOMENTA: &str = "momenta";
 const INVERSE_DYNAMICS: &str = "inverse_dynamics";
 /// What is emitted in terms of other functions where M is told by what it does alone.
 const WITHOUT_MATRIX: [&str; 6] =
-    ["accelerations", "velocity_rates", "mass_matrix", "forcing", "mass_matrix_and_forcing", "inertia"];
+    ["accelerations", VELOCITY_RATES, "mass_matrix", "forcing", "mass_matrix_and_forcing", "inertia"];
 const OUTPUTS: &str = "outputs";
 const CARRIED_OUTPUTS: &str = "carried_outputs";
 

@@ -30,19 +30,33 @@ pub fn binding(
     simplifier: &mut dyn Simplifier,
     errors: &mut Diagnostics,
 ) -> Option<Binding> {
-    match system.mechanism {
+    let tree = match system.mechanism {
         Some(_) => bodies::complete(system, simplifier),
-        None => lagrange::complete(system, simplifier),
-    }
-    let rows = differentiate(system);
+        None => {
+            lagrange::complete(system, simplifier);
+            None
+        }
+    };
+    let rows = differentiate(system, tree.is_some());
     let n = system.speeds.len();
     let mut sorted = sort(&mut system.graph, simplifier, &rows, n, errors);
     let carriers = carriers(system, simplifier);
-    let second_stage = check_configuration(system, simplifier, &rows, &carriers, errors);
+    // A tree has no configuration, and its rows bind its speeds.
+    let second_stage = match tree.is_some() && sorted.kept.len() == rows.len() {
+        true => None,
+        false => check_configuration(system, simplifier, &rows, &carriers, errors),
+    };
     if !errors.is_empty() {
         return None;
     }
     overconstrained::take_out(system, &rows, &carriers, &mut sorted);
+    if let Some(tree) = tree {
+        let kept: Vec<&DifferentiatedRow> = sorted.kept.iter().map(|i| &rows[*i]).collect();
+        if !bodies::close(system, tree, &kept) {
+            errors.report(system.places.model, messages::not_joint_by_joint());
+            return None;
+        }
+    }
     let (carried, overlapping) = carried(system, simplifier, &rows, &sorted.kept, &carriers, errors);
     errors.is_empty().then_some(Binding { rows, sorted, carriers, carried, overlapping, second_stage })
 }

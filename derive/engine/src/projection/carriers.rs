@@ -103,6 +103,7 @@ pub fn carried(
     carriers: &Carriers,
     errors: &mut Diagnostics,
 ) -> (Vec<CarriedRow>, bool) {
+    let known = system.swept.is_some();
     let graph = &mut system.graph;
     let zero = graph.zero();
     let at_rest: Vec<(Symbol, Expr)> = carriers.speeds.iter().map(|w| (*w, zero)).collect();
@@ -113,12 +114,10 @@ pub fn carried(
     for (position, velocity) in binding.into_iter().zip(velocities) {
         let row = &rows[kept[position]];
         let velocity = if carriers.map.is_empty() { velocity } else { simplifier.one(graph, velocity) };
-        let gradient: Vec<Expr> = graph
-            .jacobian(&[velocity], &carriers.speeds)
-            .row(0)
-            .iter()
-            .map(|e| if graph.vanishes(*e) { zero } else { *e })
-            .collect();
+        // Of a tree the carriers are v, and C is known.
+        let gradient =
+            if known { row.gradient.clone() } else { graph.jacobian(&[velocity], &carriers.speeds).row(0).to_vec() };
+        let gradient: Vec<Expr> = gradient.into_iter().map(|e| if graph.vanishes(e) { zero } else { e }).collect();
         if gradient.iter().all(|e| graph.is_zero(*e)) {
             if !graph.vanishes(velocity) {
                 errors.report(row.span, messages::excluded_by_configuration(&row.name));

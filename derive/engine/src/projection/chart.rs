@@ -11,6 +11,7 @@ use super::dynamics::{Dynamics, reduce, to_state};
 use super::equations::{ChartEquations, Guard};
 use super::guards::Guards;
 use super::motion::{Solution, solve};
+use super::swept::solution;
 use super::tangent::{Tangent, tangent};
 use super::{Simplifier, TANGENT_PIVOT, messages};
 use crate::model::{Independent, InitialSystem};
@@ -87,9 +88,17 @@ pub fn chart(
         guards.pivot(&system.graph, *pivot, &called, TANGENT_PIVOT, &by_second);
     }
     let dynamics = reduce(system, simplifier, carriers, &tangent, &bound);
-    let by_third = names(&bound.rows);
-    let watched = (&mut guards, by_third.as_slice());
-    let solution = solve(system, simplifier, (&tangent, &bound), &dynamics, watched, errors)?;
+    let solution = match system.swept.clone() {
+        Some(swept) => {
+            let all = names(&(0..kept.len()).collect::<Vec<_>>());
+            solution(system, &swept, &tangent, &all, &mut guards, errors)
+        }
+        None => {
+            let by_third = names(&bound.rows);
+            let watched = (&mut guards, by_third.as_slice());
+            solve(system, simplifier, (&tangent, &bound), &dynamics, watched, errors)?
+        }
+    };
     Some(Chart { tangent, bound, dynamics, solution, guards })
 }
 

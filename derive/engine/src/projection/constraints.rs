@@ -69,13 +69,21 @@ pub fn motion_of_norm(system: &mut InitialSystem) -> Vec<(Symbol, Expr)> {
 }
 
 /// All rows of the system, in the order of declaration. Those of norms take the rates of the norms out of all others.
-pub fn differentiate(system: &mut InitialSystem) -> Vec<DifferentiatedRow> {
+/// Where C is `handed_on`, it is found by one sweep back over each row: what a long chain hands on is not written out for every speed.
+pub fn differentiate(system: &mut InitialSystem, handed_on: bool) -> Vec<DifferentiatedRow> {
     let motion = motion_of_norm(system);
     let speeds = system.speeds.clone();
-    system.rows.clone().into_iter().map(|row| differentiate_row(&mut system.graph, row, &motion, &speeds)).collect()
+    let rows = system.rows.clone().into_iter();
+    rows.map(|row| differentiate_row(&mut system.graph, row, &motion, &speeds, handed_on)).collect()
 }
 
-fn differentiate_row(graph: &mut Graph, row: Row, motion: &[(Symbol, Expr)], speeds: &[Symbol]) -> DifferentiatedRow {
+fn differentiate_row(
+    graph: &mut Graph,
+    row: Row,
+    motion: &[(Symbol, Expr)],
+    speeds: &[Symbol],
+    handed_on: bool,
+) -> DifferentiatedRow {
     let Row { name, span, kind, redundant, .. } = row;
     let reaction = !matches!(kind, RowKind::Norm { .. });
     let (linear, position, velocity) = match kind {
@@ -99,7 +107,8 @@ fn differentiate_row(graph: &mut Graph, row: Row, motion: &[(Symbol, Expr)], spe
             };
         }
     };
-    let gradient = graph.jacobian(&[velocity], speeds).row(0).to_vec();
+    let slopes = if handed_on { graph.slopes(velocity, speeds) } else { None };
+    let gradient = slopes.unwrap_or_else(|| graph.jacobian(&[velocity], speeds).row(0).to_vec());
     let bias = graph.along(&[velocity], motion)[0];
     DifferentiatedRow { name, span, redundant, linear, position, velocity: Some(velocity), gradient, reaction, bias }
 }

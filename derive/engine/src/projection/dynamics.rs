@@ -54,8 +54,9 @@ pub fn reduce(
     let inertia = system.inertia.map(|entries| to_state(graph, carriers, tangent, entries));
     let forces = to_state(graph, carriers, tangent, &system.forces);
     let first = to_state(graph, carriers, tangent, &carriers.bias);
-    if system.open.is_some() {
-        return as_it_is(forces, tangent);
+    if system.swept.is_some() {
+        let untied = tangent.speeds == system.speeds;
+        return without_matrix(if untied { forces } else { Vec::new() }, tangent);
     }
     let (carrier_inertia, carrier_forces) = match &carriers.partial_velocities {
         None => (inertia.clone(), forces.clone()),
@@ -93,8 +94,8 @@ pub fn reduce(
     }
 }
 
-/// Of an open mechanism, whose speeds are all independent: D is the unit matrix, and M is not needed.
-fn as_it_is(forces: Vec<Expr>, tangent: &Tangent) -> Dynamics {
+/// Where v̇ is found joint by joint: M is not needed, and h_u* is h* where nothing ties the speeds.
+fn without_matrix(forces: Vec<Expr>, tangent: &Tangent) -> Dynamics {
     let none = || Matrix::from_rows(Vec::new(), 0);
     Dynamics {
         inertia: none(),

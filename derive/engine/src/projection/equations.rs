@@ -109,7 +109,7 @@ pub struct Equations {
     pub accelerations: Vec<Expr>,
     /// M_d = D M Dᵀ, k x k (4.10); without entries where `momenta` tell M.
     pub mass_matrix: Matrix,
-    /// h_u* = D (h* - M a_u), k (4.10), (5.6).
+    /// h_u* = D (h* - M a_u), k (4.10), (5.6); empty where `momenta` tell M and rows tie the speeds.
     pub forcing: Vec<Expr>,
     /// x of the state (4.2).
     pub initial_coordinates: Vec<Expr>,
@@ -146,7 +146,7 @@ pub struct Equations {
     pub kinematic_matrix: Matrix,
     /// a0, n (2.1).
     pub kinematic_bias: Vec<Expr>,
-    /// M, n x n (2.3); without entries where an open mechanism was eliminated joint by joint: `momenta` tell it then.
+    /// M, n x n (2.3); without entries where a tree was eliminated joint by joint: `momenta` tell it then.
     pub inertia: Matrix,
     /// h*, n (2.3).
     pub forces: Vec<Expr>,
@@ -204,6 +204,11 @@ impl Equations {
     /// Whether M is told by what it does alone.
     pub fn is_recursive(&self) -> bool {
         self.inertia.rows() < self.speeds.len()
+    }
+
+    /// Whether nothing ties the speeds: they stand in the state as they are, and D is the unit matrix.
+    pub fn is_untied(&self) -> bool {
+        self.state_speeds == self.speeds
     }
 
     /// Every expression of the result.

@@ -245,8 +245,9 @@ pub(crate) fn reaction_shared(name: &str, carriers: &[String]) -> String {
 
 /// M_d is singular, whatever the parameters.
 pub(crate) fn not_joint_by_joint() -> String {
-    "this mechanism cannot be eliminated joint by joint: that takes bodies whose speeds are the rates of the coordinates, each the rate \
-     of one joint, and no constraints, `configuration` or `independent`; leave `elimination = recursive` out"
+    "this mechanism cannot be eliminated joint by joint: that takes bodies whose speeds are those of their joints, each of one joint \
+     that it moves against an inertia, constraints of positions or linear in velocities, and no `configuration` or `complement`; \
+     leave `elimination = recursive` out"
         .to_owned()
 }
 

@@ -26,6 +26,7 @@
 //! | [`offer`] | a better choice, where an error asks for one |
 //! | [`dynamics`] | M_d and h_u* (4.10), (5.6) |
 //! | [`motion`] | the rates u̇ of the state's speeds |
+//! | [`swept`] | the same joint by joint, with λ |
 //! | [`factorisation`] | L D Lᵀ along the zero pattern |
 //! | [`reactions`] | λ for all rows in the initial space |
 //! | [`mod@outputs`] | what the model tells besides its motion |
@@ -64,12 +65,13 @@ pub mod project;
 pub mod reactions;
 pub mod start;
 pub mod steps;
+pub mod swept;
 pub mod tangent;
 #[cfg(test)]
 mod tests;
 
 pub use alternatives::{Alternative, Alternatives, Quality};
-pub use bodies::{couplings, inverse_dynamics};
+pub use bodies::{inverse_dynamics, ways};
 pub use equations::{ChartEquations, Equations, Guard, GuardKind, Level, RowFacts};
 pub use motion::{COMPLIANCE_PIVOT, INERTIA_PIVOT};
 pub use outputs::{OutputFacts, Outputs};

@@ -11,8 +11,9 @@ use super::dynamics::Dynamics;
 use super::factorisation::{Factorisation, factorise};
 use super::guards::Guards;
 use super::messages;
+use super::swept::InState;
 use super::tangent::Tangent;
-use crate::model::{InitialSystem, Open};
+use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Graph, Matrix};
 use crate::syntax::Diagnostics;
 
@@ -23,6 +24,8 @@ pub struct Solution {
     pub accelerations: Vec<Expr>,
     /// λ of the rows that bind u̇ alone, where it was needed to find u̇.
     pub multipliers: Option<Vec<Expr>>,
+    /// v̇ and λ of all rows, where they were found joint by joint.
+    pub swept: Option<InState>,
 }
 
 /// Solves for u̇; `names` are those of the rows that bind u̇ alone.
@@ -50,15 +53,6 @@ pub fn solve(
     }
     let name = |system: &InitialSystem, i: usize| system.graph.name(bound.speeds[i]).to_owned();
     let span = system.places.inertia;
-    if let Some(Open { rates, pivots }) = system.open.clone() {
-        for (i, pivot) in pivots {
-            let called = format!("pivot of D M D\u{1d40} for {}", name(system, i));
-            if let Err(text) = guards.positive(&mut system.graph, pivot, &called, INERTIA_PIVOT, &[]) {
-                errors.report(span, messages::negative_inertia(&name(system, i), &text));
-            }
-        }
-        return Some(Solution { accelerations: rates, multipliers: None });
-    }
     let factors = match factorise(&mut system.graph, simplifier, &dynamics.mass_matrix) {
         Ok(factors) => factors,
         Err(i) => {
@@ -81,7 +75,7 @@ pub fn solve(
         linear.into_iter().zip(&bound.offset).map(|(a, b)| graph.add(a, *b)).collect()
     };
     let accelerations = accelerations.into_iter().map(|e| simplifier.one(graph, e)).collect();
-    Some(Solution { accelerations, multipliers: None })
+    Some(Solution { accelerations, multipliers: None, swept: None })
 }
 
 /// The origin of a guard that is a pivot of the mass matrix.
@@ -133,7 +127,7 @@ fn by_projection(
         })
         .collect();
     *guards = found;
-    Some(Solution { accelerations, multipliers: Some(multipliers) })
+    Some(Solution { accelerations, multipliers: Some(multipliers), swept: None })
 }
 
 /// M⁻¹ Cᵀ, one column a row of C.

@@ -80,7 +80,11 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
     let (multipliers, weights) = shared(&mut system.graph, simplifier, &sorted, reactions.multipliers, on_motions);
     let origin = "the redundant rows have no finite share of it where it vanishes";
     guards.divisors(&system.graph, &weights, "divisor of the redundant rows' shares", origin, &names);
-    let multipliers: Vec<Expr> = multipliers.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
+    let multipliers: Vec<Expr> = match &solution.swept {
+        // What was handed on whole has the form that it will keep.
+        Some(_) => multipliers,
+        None => multipliers.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect(),
+    };
     let names = name_multipliers(&mut system, &rows, &sorted, &multipliers);
     let x = system.graph.vars(&system.coordinates);
     let initial_coordinates = to_state(&mut system.graph, &carriers, &tangent, &x);
@@ -93,9 +97,14 @@ pub fn project(mut system: InitialSystem, simplifier: &mut dyn Simplifier) -> Re
         chart_speeds.push(speeds_of_carriers(&mut system, simplifier, &carriers, tangent, &w));
     }
     let v = system.graph.vars(&system.speeds);
-    let velocity_rates =
-        rates_of(&mut system.graph, &dynamics.speed_complement, &solution.accelerations, &dynamics.speed_bias);
-    let velocity_rates = velocity_rates.into_iter().map(|e| simplifier.one(&mut system.graph, e)).collect();
+    let velocity_rates = match &solution.swept {
+        Some(swept) => swept.rates.clone(),
+        None => {
+            let graph = &mut system.graph;
+            let rates = rates_of(graph, &dynamics.speed_complement, &solution.accelerations, &dynamics.speed_bias);
+            rates.into_iter().map(|e| simplifier.one(graph, e)).collect()
+        }
+    };
     let carried_velocities = system.graph.substitute(&v, &carriers.map);
     let carried_rates = carriers.motion.iter().map(|(_, rate)| *rate).take(carriers.coordinates.len()).collect();
     let kinetic_energy = kinetic_energy(&mut system);

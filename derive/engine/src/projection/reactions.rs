@@ -4,7 +4,7 @@
 //! without M_c: λ = C_d⁻ᵀ (M v̇ - h*)_d. It equals (3.6) wherever M is regular, and holds where M is not. Where the
 //! pivots of C would need guards of their own, (C Cᵀ) λ = C (M v̇ - h*) is solved instead. With a configuration the rows
 //! that bind its rates come first, in the carriers' space; the rows that it satisfies carry what is left. Before all come
-//! the rows that bind accelerations alone, in the space of the state's speeds.
+//! the rows that bind accelerations alone, in the space of the state's speeds. A motion that was found joint by joint has λ with it.
 
 use super::Simplifier;
 use super::acceleration::Bound;
@@ -57,6 +57,9 @@ pub fn reactions(
     errors: &mut Diagnostics,
 ) -> Option<Reactions> {
     let Motion { carriers, tangent, bound, dynamics, solution, overlapping } = motion;
+    if let Some(swept) = &solution.swept {
+        return Some(Reactions { multipliers: swept.multipliers.clone(), pivots: Vec::new() });
+    }
     let (n, m, k) = (system.speeds.len(), kept.len(), bound.speeds.len());
     let binding: Vec<usize> = tangent.rows.iter().chain(&bound.rows).copied().collect();
     if m < n - k && binding.len() < m {

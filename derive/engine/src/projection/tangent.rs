@@ -102,6 +102,7 @@ pub fn tangent(
         None => vec![true; width],
     };
     let norm_rates = system.norm_rates();
+    let swept = system.swept.is_some();
     let graph = &mut system.graph;
     let c = Matrix::from_rows(carried.iter().map(|row| row.gradient.clone()).collect(), width);
     let elimination = match eliminate(graph, simplifier, &c, &Choice { columns, new_guards: true }) {
@@ -133,17 +134,24 @@ pub fn tangent(
         }
     }
     let speeds: Vec<Symbol> = order.iter().map(|j| carriers.speeds[*j]).collect();
+    // Of a tree the rows are short, and D is not: w_d = -C_d⁻¹ φ where these are at rest.
+    let at_rest = swept.then(|| {
+        let zero = graph.zero();
+        let still: Vec<(Symbol, Expr)> = elimination.pivots.iter().map(|j| (carriers.speeds[*j], zero)).collect();
+        let velocities: Vec<Expr> = carried.iter().filter_map(|row| rows[kept[row.row]].velocity).collect();
+        let velocities = graph.substitute(&velocities, &still);
+        elimination.solve(graph, simplifier, &velocities)
+    });
     let u = graph.vars(&speeds);
-    let w = complement.transpose().mul_vec(graph, &u);
-    let map: Vec<(Symbol, Expr)> = elimination
-        .pivots
-        .iter()
-        .zip(&offset)
-        .map(|(pivot, eta)| {
-            let value = graph.sub(w[*pivot], *eta);
-            (carriers.speeds[*pivot], simplifier.one(graph, value))
-        })
-        .collect();
+    let w = if swept { Vec::new() } else { complement.transpose().mul_vec(graph, &u) };
+    let mut map: Vec<(Symbol, Expr)> = Vec::with_capacity(elimination.pivots.len());
+    for (row, pivot) in elimination.pivots.iter().enumerate() {
+        let value = match &at_rest {
+            Some(values) => graph.neg(values[row]),
+            None => graph.sub(w[*pivot], offset[row]),
+        };
+        map.push((carriers.speeds[*pivot], simplifier.one(graph, value)));
+    }
     let mut dependent = vec![graph.zero(); width];
     for (pivot, c0) in elimination.pivots.iter().zip(bias) {
         let value = graph.substitute(&[c0], &map)[0];

@@ -100,7 +100,7 @@ fn disk() -> Disk {
         kinetic: None,
         mechanism: None,
         elimination: crate::syntax::Elimination::Matrix,
-        open: None,
+        swept: None,
         potential: None,
         rows: vec![],
         configuration: None,

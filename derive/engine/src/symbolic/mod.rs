@@ -11,6 +11,7 @@
 //! | [`construct`] | canonical sums, products and powers |
 //! | [`functions`] | canonical sin, cos, √, atan2, exp, ln |
 //! | [`differentiate`] | derivatives, partial and along the motion |
+//! | [`slopes`] | those of what is linear, by one sweep back |
 //! | [`substitute`] | replacing symbols by expressions |
 //! | [`evaluate`] | values over any scalar |
 //! | [`bounds`] | intervals that hold all values |
@@ -41,6 +42,7 @@ pub mod node;
 pub mod powers;
 pub mod rational;
 pub mod samples;
+pub mod slopes;
 pub mod substitute;
 pub mod tables;
 #[cfg(test)]

@@ -97,7 +97,7 @@ pub struct Unit {
 pub enum Elimination {
     /// By M_d as a whole.
     Matrix,
-    /// Joint by joint from the leaves, where nothing ties the joints.
+    /// Joint by joint from the leaves, loops closed on top.
     Recursive,
 }
 

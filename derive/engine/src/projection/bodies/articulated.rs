@@ -1,101 +1,146 @@
-//! Articulated inertias: the accelerations of an open mechanism in O(n), joint by joint from the leaves.
+//! Articulated inertias: the accelerations of a tree in O(n), joint by joint from the leaves.
 //!
 //! What hangs on a joint answers to an acceleration of the joint's inner side as one body whose inertia is smaller by what the
-//! joint gives way: with the partial velocities S of the joint, U = I S, D = Sᵀ U and the force f that acts beyond it,
+//! joint gives way: with the partial velocities S of the joint, U = I S, D = Sᵀ U, the force f that acts beyond it and the force τ
+//! along its speed, s = Sᵀ f + τ,
 //!
 //! ```text
-//!     I ← I − U D⁻¹ Uᵀ,      f ← f − U D⁻¹ Sᵀ f,      v̇ = D⁻¹ (Sᵀ f − Uᵀ a)
+//!     I ← I − U D⁻¹ Uᵀ,      f ← f − U D⁻¹ s,      v̇ = D⁻¹ (s − Uᵀ a)
 //! ```
 //!
 //! with the acceleration a of the inner side, found outwards (Featherstone, Rigid Body Dynamics Algorithms, chapter 7). It is the
-//! paper's chain of projections (4.10), one joint a stage: D are the pivots of M, eliminated from the leaves inwards.
+//! paper's chain of projections (4.10), one joint a stage: D are the pivots of M, eliminated from the leaves inwards. The way
+//! inwards is s = W h for forces h along the speeds, the way outwards v̇ = Wᵀ D⁻¹ s: M⁻¹ = Wᵀ D⁻¹ W.
 
 use super::partial::{Column, moved};
 use super::spatial::{Inertia, Wrench};
-use crate::model::Open;
 use crate::model::mechanism::{Mechanism, Step};
 use crate::symbolic::{Expr, Graph, Matrix, Rotation, Triple};
 
-/// A joint of one speed, eliminated.
-struct Joint {
-    force: Triple,
-    torque: Triple,
-    reciprocal: Expr,
-    /// Sᵀ f.
-    acting: Expr,
+/// The joints of a tree, eliminated.
+pub struct Joints {
+    /// What each speed moves at its step.
+    columns: Vec<Vec<Column>>,
+    /// The joint of each speed; `None` where it moves nothing, as the rate of a norm.
+    joints: Vec<Option<Joint>>,
+    /// The position of each speed with its pivot D, from the leaves inwards.
+    pub pivots: Vec<(usize, Expr)>,
 }
 
-/// v̇ from what acts at the nodes for v̇ = 0 and from further inertias and forces along the speeds; `None` where some speed is not of
-/// one joint alone, or moves nothing.
-pub fn accelerations(
-    graph: &mut Graph,
-    mechanism: &Mechanism,
-    columns: &[Vec<Column>],
-    own: &[Inertia],
-    wrenches: &[Wrench],
-    (further, forces): (&Matrix, &[Expr]),
-) -> Option<Open> {
-    let n = forces.len();
-    let mut joints_of = vec![0; n];
-    for column in columns.iter().flatten().filter(|column| column.speed < n) {
-        joints_of[column.speed] += 1;
-    }
-    let coupled = (0..n).any(|i| (0..i).any(|j| !graph.is_zero(further.get(i, j))));
-    if coupled || joints_of.iter().any(|joints| *joints != 1) {
-        return None;
-    }
-    let mut inertias: Vec<Articulated> = own.iter().map(|inertia| Articulated::of_body(graph, inertia)).collect();
-    let mut wrenches = wrenches.to_vec();
-    let mut joints: Vec<Vec<Joint>> = columns.iter().map(|_| Vec::new()).collect();
-    let mut pivots = Vec::with_capacity(n);
-    for at in (1..mechanism.nodes.len()).rev() {
-        for column in columns[at].iter().rev().filter(|column| column.speed < n) {
-            let (force, torque) = inertias[at].of(&column.linear, &column.angular, graph);
-            let terms = [
-                graph.dot(&column.linear, &force),
-                graph.dot(&column.angular, &torque),
-                further.get(column.speed, column.speed),
-            ];
-            let pivot = graph.sum(&terms);
-            if graph.vanishes(pivot) {
-                return None;
+/// A joint of one speed, eliminated.
+#[derive(Clone, Copy)]
+struct Joint {
+    /// U.
+    force: Triple,
+    torque: Triple,
+    /// 1/D.
+    reciprocal: Expr,
+}
+
+impl Joints {
+    /// The joints of bodies and of further inertias along the speeds; `None` where some speed is not of one joint alone, or moves
+    /// nothing. Those that are `idle` move nothing, and need not.
+    pub fn eliminated(
+        graph: &mut Graph,
+        mechanism: &Mechanism,
+        columns: Vec<Vec<Column>>,
+        own: &[Inertia],
+        further: &Matrix,
+        idle: &[bool],
+    ) -> Option<Joints> {
+        let n = idle.len();
+        let mut joints_of = vec![0; n];
+        for column in columns.iter().flatten().filter(|column| column.speed < n) {
+            joints_of[column.speed] += 1;
+        }
+        let coupled = (0..n).any(|i| (0..i).any(|j| !graph.is_zero(further.get(i, j))));
+        if coupled || joints_of.iter().zip(idle).any(|(joints, idle)| *joints != usize::from(!idle)) {
+            return None;
+        }
+        let mut inertias: Vec<Articulated> = own.iter().map(|inertia| Articulated::of_body(graph, inertia)).collect();
+        let mut joints = vec![None; n];
+        let mut pivots = Vec::with_capacity(n);
+        for at in (1..mechanism.nodes.len()).rev() {
+            for column in columns[at].iter().rev().filter(|column| column.speed < n) {
+                let (force, torque) = inertias[at].of(&column.linear, &column.angular, graph);
+                let terms = [
+                    graph.dot(&column.linear, &force),
+                    graph.dot(&column.angular, &torque),
+                    further.get(column.speed, column.speed),
+                ];
+                let pivot = graph.sum(&terms);
+                if graph.vanishes(pivot) {
+                    return None;
+                }
+                graph.assume_nonzero(pivot);
+                pivots.push((column.speed, pivot));
+                let reciprocal = graph.powi(pivot, -1);
+                inertias[at].give_way(&force, &torque, reciprocal, graph);
+                joints[column.speed] = Some(Joint { force, torque, reciprocal });
             }
-            graph.assume_nonzero(pivot);
-            pivots.push((column.speed, pivot));
-            let felt = wrenches[at].felt(&column.linear, &column.angular, graph);
-            let acting = graph.add(felt, forces[column.speed]);
-            let acting = graph.whole(acting);
-            let reciprocal = graph.powi(pivot, -1);
-            inertias[at].give_way(&force, &torque, reciprocal, graph);
-            let share = graph.mul(acting, reciprocal);
-            let taken = graph.neg(share);
-            let taken = Wrench::new(graph.times(taken, &force), graph.times(taken, &torque));
-            wrenches[at] = wrenches[at].plus(&taken, graph);
-            joints[at].push(Joint { force, torque, reciprocal, acting });
+            let node = &mechanism.nodes[at];
+            let inertia = inertias[at].inwards(&node.step, graph);
+            inertias[node.parent] = inertias[node.parent].plus(&inertia, graph);
         }
-        let node = &mechanism.nodes[at];
-        let inertia = inertias[at].inwards(&node.step, graph);
-        inertias[node.parent] = inertias[node.parent].plus(&inertia, graph);
-        let wrench = wrenches[at].inwards(&node.step, graph);
-        wrenches[node.parent] = wrenches[node.parent].plus(&wrench, graph).whole(graph);
+        Some(Joints { columns, joints, pivots })
     }
-    let mut rates = vec![graph.zero(); n];
-    moved(graph, mechanism, columns, |graph, at, place, inner| {
-        let column = &columns[at][place];
-        if column.speed >= n {
-            return graph.zero();
+
+    /// s = W h of wrenches at the nodes and forces along the speeds, inwards.
+    pub fn acting(
+        &self,
+        graph: &mut Graph,
+        mechanism: &Mechanism,
+        mut wrenches: Vec<Wrench>,
+        forces: &[Expr],
+    ) -> Vec<Expr> {
+        let mut found = vec![graph.zero(); self.joints.len()];
+        for at in (1..mechanism.nodes.len()).rev() {
+            for column in self.columns[at].iter().rev() {
+                let Some(Joint { force, torque, reciprocal }) = self.joint(column) else { continue };
+                let felt = wrenches[at].felt(&column.linear, &column.angular, graph);
+                let acting = graph.add(felt, forces[column.speed]);
+                let acting = graph.whole(acting);
+                let share = graph.mul(acting, reciprocal);
+                let taken = graph.neg(share);
+                let taken = Wrench::new(graph.times(taken, &force), graph.times(taken, &torque));
+                wrenches[at] = wrenches[at].plus(&taken, graph);
+                found[column.speed] = acting;
+            }
+            let node = &mechanism.nodes[at];
+            let wrench = wrenches[at].inwards(&node.step, graph);
+            wrenches[node.parent] = wrenches[node.parent].plus(&wrench, graph).whole(graph);
         }
-        // They were eliminated from the last to the first.
-        let behind = columns[at][place + 1..].iter().filter(|column| column.speed < n).count();
-        let Joint { force, torque, reciprocal, acting } = &joints[at][behind];
-        let (linear, angular) = (graph.dot(force, &inner.linear), graph.dot(torque, &inner.angular));
-        let carried = graph.add(linear, angular);
-        let left = graph.sub(*acting, carried);
-        let rate = graph.mul(left, *reciprocal);
-        rates[column.speed] = rate;
-        rate
-    });
-    Some(Open { rates, pivots })
+        found
+    }
+
+    /// v̇ = Wᵀ D⁻¹ s, outwards.
+    pub fn rates(&self, graph: &mut Graph, mechanism: &Mechanism, acting: &[Expr]) -> Vec<Expr> {
+        let mut rates = vec![graph.zero(); self.joints.len()];
+        moved(graph, mechanism, &self.columns, |graph, at, place, inner| {
+            let column = &self.columns[at][place];
+            let Some(Joint { force, torque, reciprocal }) = self.joint(column) else { return graph.zero() };
+            let (linear, angular) = (graph.dot(&force, &inner.linear), graph.dot(&torque, &inner.angular));
+            let carried = graph.add(linear, angular);
+            let left = graph.sub(acting[column.speed], carried);
+            let rate = graph.mul(left, reciprocal);
+            rates[column.speed] = rate;
+            rate
+        });
+        rates
+    }
+
+    /// aᵀ D⁻¹ b.
+    pub fn product(&self, graph: &mut Graph, a: &[Expr], b: &[Expr]) -> Expr {
+        let both = self.joints.iter().zip(a.iter().zip(b));
+        let terms: Vec<Expr> =
+            both.filter_map(|(joint, (a, b))| joint.map(|joint| graph.product(&[*a, *b, joint.reciprocal]))).collect();
+        graph.sum(&terms)
+    }
+
+    /// The joint that a column belongs to; what is released has none.
+    fn joint(&self, column: &Column) -> Option<Joint> {
+        self.joints.get(column.speed).copied().flatten()
+    }
 }
 
 /// The inertia of what hangs on a node, about its point and in its axes: F = (m + A) a + B α, T = Bᵀ a + C α.

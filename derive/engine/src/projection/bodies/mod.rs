@@ -20,7 +20,8 @@
 //! | `recursive` | composite inertias and forces inwards, where each speed moves one joint: O(n²) in a chain |
 //! | `direct` | body by body, where v are speeds of the model's own |
 //! | `articulated` | inertias of what gives way, and v̇ by them: O(n) |
-//! | `open` | the equations of an open mechanism, without M |
+//! | `tree` | the equations of a tree, without M |
+//! | `loops` | λ and v̇ of a tree whose joints are tied by rows |
 //! | `inverse` | M v and M v̇ - h* without M: O(n) |
 //! | `energy` | V of gravity |
 //! | `lines` | springs, dampers, armatures |
@@ -34,19 +35,21 @@ mod energy;
 mod further;
 mod inverse;
 mod lines;
-mod open;
+mod loops;
 mod partial;
 mod recursive;
 mod releases;
 mod rotors;
 mod spatial;
 mod sweep;
+mod tree;
 
 pub use inverse::tell as inverse_dynamics;
-pub use partial::couplings;
+pub use loops::Tree;
+pub use partial::ways;
 
 use super::Simplifier;
-use super::constraints::motion_of_norm;
+use super::constraints::{DifferentiatedRow, motion_of_norm};
 use crate::model::InitialSystem;
 use crate::symbolic::{Expr, Matrix};
 use crate::syntax::Elimination;
@@ -54,16 +57,18 @@ use acting::acting;
 use further::further;
 
 /// M, h*, T and V of a system of bodies; what the model lists as forces is added to h*. Where the motion is to be eliminated joint by
-/// joint and can be, there is v̇ instead of M.
-pub fn complete(system: &mut InitialSystem, simplifier: &mut dyn Simplifier) {
-    let Some(mut mechanism) = system.mechanism.take() else { return };
+/// joint and can be, there is a tree instead of M, which its rows close.
+pub fn complete(system: &mut InitialSystem, simplifier: &mut dyn Simplifier) -> Option<Tree> {
+    let mut mechanism = system.mechanism.take()?;
     let motion = motion_of_norm(system);
     let n = system.speeds.len();
     let speeds = releases::extended(system, &mut mechanism);
     let own = system.joint_speeds || system.rates_are_speeds();
     rotors::stop(&mut system.graph, &mut mechanism);
-    if system.elimination == Elimination::Recursive && open::complete(system, &mechanism, &speeds, &motion) {
-        return;
+    if system.elimination == Elimination::Recursive
+        && let Some(tree) = tree::complete(system, &mechanism, &speeds, &motion)
+    {
+        return Some(tree);
     }
     let potential = energy::potential(&mut system.graph, &mechanism);
     let mut further = further(system, &mechanism, &speeds, &motion, potential);
@@ -99,6 +104,14 @@ pub fn complete(system: &mut InitialSystem, simplifier: &mut dyn Simplifier) {
     releases::hold_along(graph, &mechanism.releases, &mut further, &mut None);
     mechanism.along = own.then_some(further.along);
     system.mechanism = Some(mechanism);
+    None
+}
+
+/// v̇ and λ of a tree with these rows, which are independent of one another; whether there are any.
+pub fn close(system: &mut InitialSystem, tree: Tree, rows: &[&DifferentiatedRow]) -> bool {
+    let Some(mechanism) = &system.mechanism else { return false };
+    system.swept = tree.closed(&mut system.graph, mechanism, rows);
+    system.swept.is_some()
 }
 
 /// What bodies and lines add up to.

@@ -21,16 +21,19 @@ pub fn columns(graph: &mut Graph, mechanism: &Mechanism, speeds: &[Symbol]) -> V
     mechanism.nodes.iter().map(|node| of_step(graph, &node.step, speeds)).collect()
 }
 
-/// How many other speeds each speed of a mechanism has on its way inwards.
-pub fn couplings(equations: &Equations) -> Vec<usize> {
-    let mut inwards = vec![0; equations.speeds.len()];
+/// The other speeds that each speed of a mechanism has on its way inwards.
+pub fn ways(equations: &Equations) -> Vec<Vec<usize>> {
+    let mut inwards = vec![Vec::new(); equations.speeds.len()];
     let Some(mechanism) = &equations.mechanism else { return inwards };
     let columns = columns(&mut equations.graph.clone(), mechanism, &equations.speeds);
-    let mut beyond: Vec<usize> = Vec::with_capacity(columns.len());
+    let mut beyond: Vec<Vec<usize>> = Vec::with_capacity(columns.len());
     for (at, own) in columns.iter().enumerate() {
-        let before = if at == 0 { 0 } else { beyond[mechanism.nodes[at].parent] };
-        own.iter().enumerate().for_each(|(place, column)| inwards[column.speed] = before + place);
-        beyond.push(before + own.len());
+        let mut way = if at == 0 { Vec::new() } else { beyond[mechanism.nodes[at].parent].clone() };
+        for column in own {
+            inwards[column.speed].clone_from(&way);
+            way.push(column.speed);
+        }
+        beyond.push(way);
     }
     inwards
 }
