@@ -58,7 +58,8 @@ pub fn factorisation(equations: &Equations) -> usize {
     eliminated(simple + more, k, deepest)
 }
 
-/// Eliminates a symmetric pattern, of equally sparse rows the one that waits for the fewest others; what each row costs with so many couplings, all together, and the longest chain of pivots.
+/// Eliminates a symmetric pattern, of equally sparse rows the one that waits for the fewest others; what each row costs with so many
+/// couplings, all together, and the longest chain of pivots.
 fn sparsest_first(mut open: Vec<BTreeSet<usize>>, cost: impl Fn(usize) -> usize) -> (usize, usize) {
     let mut left: BTreeSet<usize> = (0..open.len()).collect();
     let (mut total, mut depth) = (0, vec![1; open.len()]);

@@ -1,8 +1,9 @@
 //! The start that the model names: numbers by which choices are judged, on the manifold f(x, t) = 0.
 //!
 //! A start is as good as a person can write it down: four digits of an angle do not close a loop. So f = 0 is closed first, by
-//! Newton's method from there with changes of least norm, and where that ends elsewhere, by damped ones. What is judged then is judged in a configuration that the mechanism
-//! has: a pivot that vanishes there, or rows that depend on each other there, are found however roughly the start is given.
+//! Newton's method from there with changes of least norm, and where that ends elsewhere, by damped ones. What is judged then is
+//! judged in a configuration that the mechanism has: a pivot that vanishes there, or rows that depend on each other there, are found
+//! however roughly the start is given.
 
 use super::carriers::Carriers;
 use super::closing::{Loops, merit};
