@@ -78,17 +78,9 @@ impl Checker<'_> {
         self.reactions.insert(format!("{name}_axes"), self.energy.over(&axes));
     }
 
-    /// What `reaction(name)` is; one of which nothing is known where the name is no row's.
+    /// What `reaction(name)` is; one of which nothing is known where the constraint was not understood.
     pub fn reaction(&mut self, name: &str) -> Dimension {
-        match self.multiplier(name) {
-            Some(dimension) => dimension,
-            None => {
-                // Of a constraint that was not understood, or comes later.
-                let dimension = self.solver.fresh();
-                self.reactions.insert(name.to_owned(), dimension.clone());
-                dimension
-            }
-        }
+        self.multiplier(name).unwrap_or_else(|| self.solver.fresh())
     }
 
     /// The multiplier of a row; the rows of a joint about its axes are called `name_axes..`.

@@ -7,6 +7,7 @@ use super::report::Side;
 use crate::syntax::{
     AXES, BodyInertia, Element, ElementKind, Expression, InertiaEntry, InertiaForm, ROTATIONS, Term, is_quaternion,
 };
+use std::collections::BTreeSet;
 
 impl Checker<'_> {
     pub fn frames_and_points(&mut self) {
@@ -68,14 +69,16 @@ impl Checker<'_> {
         for element in &geometry.elements {
             self.origin = format!("the {} `{}`", element.kind.statement(), element.name);
             let keys: &[(&str, &str, &Dimension)] = match element.kind {
-                ElementKind::Particle => &[("at", "a point", &length), ("mass", "a mass", &mass)],
-                ElementKind::Body => {
-                    &[("center", "a point", &length), ("mass", "a mass", &mass), ("about", "a point", &length)]
-                }
+                ElementKind::Particle => &[("at", "a point", &length), ("mass", "the mass of a body", &mass)],
+                ElementKind::Body => &[
+                    ("center", "a point", &length),
+                    ("mass", "the mass of a body", &mass),
+                    ("about", "a point", &length),
+                ],
                 ElementKind::Force => {
-                    &[("at", "a point", &length), ("from", "a point", &length), ("value", "a force", &force)]
+                    &[("at", "a point", &length), ("from", "a point", &length), ("value", "this value", &force)]
                 }
-                ElementKind::Torque => &[("value", "a torque", &self.energy.clone())],
+                ElementKind::Torque => &[("value", "this value", &self.energy.clone())],
                 ElementKind::Spring | ElementKind::Damper => {
                     &[("from", "a point", &length), ("to", "a point", &length)]
                 }
@@ -93,11 +96,11 @@ impl Checker<'_> {
                 self.line(element);
             }
         }
+        let speeds: BTreeSet<String> = self.velocities().into_iter().map(|(speed, _)| speed).collect();
         for given in &geometry.generalized {
             let name = given.name.to_string();
             self.origin = format!("the generalised force of `{name}`");
-            let of_speed = self.velocities().iter().any(|(speed, _)| *speed == name);
-            let rate = if of_speed { self.of(&name) } else { self.rate_of(&name) };
+            let rate = if speeds.contains(&name) { self.of(&name) } else { self.rate_of(&name) };
             let expected = self.power().over(&rate);
             self.expected(&given.value, &format!("the force whose power is that with the rate of `{name}`"), &expected);
         }

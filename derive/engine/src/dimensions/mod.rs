@@ -61,10 +61,11 @@ pub fn check(declarations: &Declarations, diagnostics: &mut Diagnostics) -> Unit
     let mut checker = Checker::new(declarations, &units, diagnostics);
     checker.constants();
     checker.frames_and_points();
-    checker.defines();
+    checker.defines(false);
     checker.statements();
     checker.elements();
     checker.constraints();
+    checker.defines(true);
     checker.outputs();
     found::units(&checker)
 }

@@ -2,7 +2,7 @@
 
 use super::Checker;
 use super::dimension::Dimension;
-use crate::syntax::{Expression, InertiaEntry, InertiaForm, List, Quantity};
+use crate::syntax::{Expression, InertiaEntry, InertiaForm, List, Quantity, Term};
 
 /// Numbers that defines stand for are looked for so many times, one that needs another after it.
 const ROUNDS: usize = 8;
@@ -26,8 +26,13 @@ impl Checker<'_> {
         }
     }
 
-    pub fn defines(&mut self) {
+    /// Defines; those that tell reactions wait for the constraints.
+    pub fn defines(&mut self, of_reactions: bool) {
+        let tells = |term: &Term| matches!(term, Term::Call(function, _) if function == "reaction");
         for define in &self.declarations.defines {
+            if define.value.terms().iter().any(|(term, _)| tells(term)) != of_reactions {
+                continue;
+            }
             self.origin = format!("the define `{}`", define.name);
             self.assigned(&define.name.to_string(), &define.value);
         }

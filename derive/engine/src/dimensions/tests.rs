@@ -157,7 +157,7 @@ const PENDULUM: &str = "#[coordinates(q, s)] #[frame(A = rotate(N, z, q))] #[poi
     #[damper(d1 = { of: s, coefficient: c }, d2 = { of: q, coefficient: cq })] #[armature(rotor = { of: q, inertia: j })] \
     #[generalized_force(q = gq, s = gs)] #[constraint(slot: dot(Q, N.x) == 0)] #[constraint(roll: dot(s) == r*dot(q))] \
     #[constraint(slow: ddot(s) == b*ddot(q))] #[release(pull = { point: P, along: A.x })] \
-    #[output(swing = dot(angular_momentum(bar, O), N.z), lift = momentum(bar), turn = angular_velocity(A), fall = acceleration(Q))]";
+    #[define(held = 2*reaction(slot))] #[output(swing = dot(angular_momentum(bar, O), N.z), lift = momentum(bar), hold = held, turn = angular_velocity(A), fall = acceleration(Q))]";
 
 const FIELDS: [&str; 15] = ["m: kg", "l", "m2", "g", "k", "l0", "kq", "c", "cq", "j", "gq", "gs", "r", "b", "none"];
 
@@ -199,7 +199,7 @@ fn mechanics_tells_units() {
         assert_eq!(units.of(name), Some(unit), "{name}");
     }
     assert_eq!(units.of("none"), None);
-    for (output, unit) in [("swing", "N*m*s"), ("lift", "kg*m/s"), ("turn", "1/s"), ("fall", "m/s/s")] {
+    for (output, unit) in [("swing", "N*m*s"), ("lift", "kg*m/s"), ("hold", "N"), ("turn", "1/s"), ("fall", "m/s/s")] {
         assert_eq!(units.of_output(output), Some(unit), "{output}");
     }
     for row in ["slot", "roll", "slow", "pull"] {
@@ -212,7 +212,7 @@ fn mechanics_contradicts() {
     for (from, to, given, expected) in [
         ("rotate(N, z, q)", "rotate(N, z, l)", ("l", "m"), "an angle must be a pure number, and this is a length (m)"),
         ("O + l*A.x", "O + m*A.x", ("l", "m"), "a length (m) plus a mass (kg)"),
-        ("mass: m,", "mass: l,", ("l", "m"), "a mass must be a mass (kg), and this is a length (m)"),
+        ("mass: m,", "mass: l,", ("l", "m"), "the mass of a body must be a mass (kg), and this is a length (m)"),
         (
             "rod(m, l, x)",
             "rod(m, m, x)",
@@ -230,9 +230,9 @@ fn mechanics_contradicts() {
             "f*N.x",
             "m*g*l*N.x",
             ("l", "m"),
-            "a force must be a force (N), and this is a torque or energy (N*m); the unit of `g` follows from `gravity`",
+            "this value must be a force (N), and this is a torque or energy (N*m); the unit of `g` follows from `gravity`",
         ),
-        ("tau*N.z", "m*N.z", ("l", "m"), "a torque must be a torque or energy (N*m), and this is a mass (kg)"),
+        ("tau*N.z", "m*N.z", ("l", "m"), "this value must be a torque or energy (N*m), and this is a mass (kg)"),
         (
             "stiffness: k,",
             "stiffness: m,",
