@@ -15,10 +15,10 @@ macro_rules! by_rocker {
         #[frame(A = rotate(N, z, crank), B = rotate(N, z, coupler), C = rotate(N, z, rocker))]
         #[point(P = O + a*A.x, Q = P + b*B.x, S = O + d*N.x + c*C.x)]
         #[body(
-                    crank_bar = { frame: A, center: O + a/2*A.x, mass: m1, inertia: rod(m1, a, x) },
-                    coupler_bar = { frame: B, center: P + b/2*B.x, mass: m2, inertia: rod(m2, b, x) },
-                    rocker_bar = { frame: C, center: O + d*N.x + c/2*C.x, mass: m3, inertia: rod(m3, c, x) },
-                )]
+                            crank_bar = { frame: A, center: O + a/2*A.x, mass: m1, inertia: rod(m1, a, x) },
+                            coupler_bar = { frame: B, center: P + b/2*B.x, mass: m2, inertia: rod(m2, b, x) },
+                            rocker_bar = { frame: C, center: O + d*N.x + c/2*C.x, mass: m3, inertia: rod(m3, c, x) },
+                        )]
         #[torque(drive = { on: A, value: tau*N.z })]
         #[particle(weight = { at: Q, mass: load })]
         #[gravity(-g*N.y)]

@@ -65,8 +65,8 @@ use proc_macro::TokenStream;
 /// | `size(n = 20)` | names for integers, used by families |
 /// | `function(road(s), derivatives = [droad, ddroad])` | a function from f64 to f64 in scope, by its path, with its derivatives |
 /// | `start(theta = 0.3)`, `nominal(9.81)` on fields | figures that judge: the position constraints are closed from the start, then pivots that vanish there and rows that depend on each other there are errors; `MODEL` tells the relative pivot of each chart. They never enter the equations |
-/// | `unit(kg)` on fields | a unit, which documents |
 /// | `holonomy(crate = path, simplify = off, elimination = recursive)` | where the runtime is found; whether cheaper forms are searched; `recursive` or `matrix`: whether bodies are eliminated joint by joint, with loops closed on top of the tree, or by M_d as a whole, which is else chosen by estimated cycles; joint by joint takes speeds of joints, and constraints of positions or linear in velocities |
+/// | `unit(kg)` on fields, and before names in `coordinates`, `speeds`, `inputs`, `output`, `of(..)` and `independent` | a unit: products, quotients and `powi` of m kg s A K mol cd N J W Pa Hz rad V Ohm C F H T Wb, with prefixes, or `1`. As soon as a model declares one, dimensions are inferred and checked: a length plus a mass is an error at the `+`. Numbers are not converted, so that mm beside m is an error as well; literals are pure numbers, 0 fits anything, angles are in radians, `t` is in s. What is not declared follows where it can, stands in `MODEL` and the emitted docs, and may stay unknown |
 ///
 /// Functions: `sin cos tan asin acos atan atan2(y, x) sinh cosh tanh sqrt exp ln abs sign min(a, b) max(a, b) powi(x, n)
 /// powf(x, y) dot(q)`, and in constraints and outputs `dot(v) ddot(q)`, with `sign(0)` = 0. `if a < b { .. } else { .. }`, with `<`, `<=`, `>` or `>=`, selects: both

@@ -119,7 +119,7 @@ pub use simulate::{Interrupted, Method, Simulation, Trajectory};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use system::{
     ChartInfo, ConstrainedSystem, Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo,
-    OutputInfo, RowInfo, State,
+    OutputInfo, RowInfo, State, UnitInfo, UnitKind,
 };
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use trim::{Trim, TrimReport, Trimmed};

@@ -9,6 +9,7 @@ use crate::{Error, Matrix, Prepared, Scalar, Vector};
 
 pub use description::{
     ChartInfo, Description, Equation, FunctionCost, GuardInfo, GuardKind, Level, MultiplierInfo, OutputInfo, RowInfo,
+    UnitInfo, UnitKind,
 };
 
 /// The state of a model: `State::<RollingDisk> { theta: 0.3, .. }`.

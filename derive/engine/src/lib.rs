@@ -1,11 +1,12 @@
 //! The engine behind `holonomy-derive`: from the declarations of a mechanism to straight-line Rust.
 //!
 //! Data flows one way; each folder is a step and knows only the ones before it:
-//! [`syntax`] → [`model`] → [`projection`] → [`simplify`] → [`program`] → [`emit`], with [`symbolic`] under all and
+//! [`syntax`] → [`model`] (and [`dimensions`] beside it) → [`projection`] → [`simplify`] → [`program`] → [`emit`], with [`symbolic`] under all and
 //! [`pipeline`] to run them. The interface of this crate may change with every release; depend on `holonomy` instead.
 
 mod carried;
 mod choices;
+pub mod dimensions;
 mod elimination;
 pub mod emit;
 mod forms;

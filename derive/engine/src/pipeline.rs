@@ -2,8 +2,10 @@
 
 use crate::carried;
 use crate::choices::choose;
+use crate::dimensions::{self, Units};
 use crate::elimination::{Recursive, joint_by_joint};
 use crate::forms::Forms;
+use crate::model::InitialSystem;
 use crate::plain::Plain;
 use crate::projection::{
     AsIs, Equations, Simplifier, TANGENT_PIVOT, guards, inverse_dynamics, messages, outputs, project,
@@ -22,6 +24,8 @@ pub struct Analysis {
     pub declarations: Declarations,
     /// What follows from it, in the cheapest forms found.
     pub equations: Equations,
+    /// The units of its names, as far as they are known.
+    pub units: Units,
 }
 
 /// A step of the derive, for those who watch it.
@@ -66,7 +70,7 @@ fn expansion(input: TokenStream, search: Search, after: Observer<'_>) -> TokenSt
     emitted(&declarations, diagnostics, search, after).unwrap_or_else(|errors| {
         // The types are there all the same, so that only the model's own errors show.
         let mut tokens = errors.into_tokens();
-        tokens.extend(emit::diverging(&target(&declarations, None), &known(&declarations)));
+        tokens.extend(emit::diverging(&target(&declarations, None, Units::default()), &known(&declarations)));
         tokens
     })
 }
@@ -77,7 +81,7 @@ fn emitted(
     search: Search,
     after: Observer<'_>,
 ) -> Result<TokenStream, Diagnostics> {
-    let equations = equations(declarations, diagnostics, search, after)?;
+    let (equations, units) = equations(declarations, diagnostics, search, after)?;
     let programs = program::programs(&equations).map_err(|unbound| {
         let mut errors = Diagnostics::new();
         let message = format!(
@@ -88,7 +92,7 @@ fn emitted(
         errors
     })?;
     after(Step::Program, programs.functions.iter().map(|f| f.count.weight()).sum());
-    let tokens = emit::implementation(&target(declarations, Some(&equations)), &equations, &programs);
+    let tokens = emit::implementation(&target(declarations, Some(&equations), units), &equations, &programs);
     after(Step::Emission, tokens.clone().into_iter().count());
     Ok(tokens)
 }
@@ -111,8 +115,8 @@ pub fn analyse_by(input: TokenStream, search: Search) -> Result<Analysis, Diagno
     let (declarations, diagnostics) = syntax::read(input);
     match declarations {
         Some(declarations) => {
-            let equations = equations(&declarations, diagnostics, search, &mut |_, _| {})?;
-            Ok(Analysis { declarations, equations })
+            let (equations, units) = equations(&declarations, diagnostics, search, &mut |_, _| {})?;
+            Ok(Analysis { declarations, equations, units })
         }
         None => Err(diagnostics),
     }
@@ -125,17 +129,30 @@ fn equations(
     mut diagnostics: Diagnostics,
     search: Search,
     after: Observer<'_>,
-) -> Result<Equations, Diagnostics> {
+) -> Result<(Equations, Units), Diagnostics> {
     if !declarations.complete {
         return Err(diagnostics);
     }
-    let mut system = match model::build(declarations) {
-        Ok(system) => diagnostics.result(system)?,
+    dimensions::declared(declarations, &mut diagnostics);
+    let system = match model::build(declarations) {
+        Ok(system) => system,
         Err(more) => {
             diagnostics.extend(more);
             return Err(diagnostics);
         }
     };
+    let units = dimensions::check(declarations, &mut diagnostics);
+    let system = diagnostics.result(system)?;
+    Ok((projected(system, declarations, search, after)?, units))
+}
+
+/// From the initial system to simplified equations.
+fn projected(
+    mut system: InitialSystem,
+    declarations: &Declarations,
+    search: Search,
+    after: Observer<'_>,
+) -> Result<Equations, Diagnostics> {
     after(Step::Model, system.graph.len());
     choose(&mut system);
     let search = if declarations.options.simplify { search } else { Search::Off };

@@ -1,12 +1,21 @@
 //! What emission needs of the declarations.
 
+use crate::dimensions::Units;
 use crate::emit::{Declared, Known, Target};
 use crate::projection::Equations;
 use crate::syntax::{AXES, Declarations, IndependentEntry, Name, Quantity, Speed};
 use proc_macro2::Ident;
 
 /// The user's struct as emission sees it.
-pub fn target(declarations: &Declarations, equations: Option<&Equations>) -> Target {
+pub fn target(declarations: &Declarations, equations: Option<&Equations>, mut units: Units) -> Target {
+    if let Some(e) = equations {
+        for (name, row) in e.multiplier_names.iter().zip(&e.multiplier_rows) {
+            // Rows that are one share λ.
+            if let Some(row) = row.map(|row| &e.rows[row].name).filter(|row| *row != name) {
+                units.share(name, row);
+            }
+        }
+    }
     let is_used = |field: &Ident| match equations {
         Some(e) => e.parameters.iter().any(|p| field == e.graph.name(*p)),
         None => true,
@@ -36,6 +45,7 @@ pub fn target(declarations: &Declarations, equations: Option<&Equations>) -> Tar
         generics: declarations.generics.clone(),
         parameters,
         declared,
+        units,
         outputs: declarations.outputs.iter().map(|output| entry(&output.name.ident, &output.name.docs)).collect(),
         defines: declarations.defines.iter().map(|define| define.name.to_string()).collect(),
         functions: declarations.functions.iter().map(|f| f.orders.clone()).collect(),

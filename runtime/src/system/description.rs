@@ -32,6 +32,8 @@ pub struct Description {
     pub parameters: &'static [&'static str],
     /// The inputs.
     pub inputs: &'static [&'static str],
+    /// The units of names, as they are declared or follow; none in a model that declares none.
+    pub units: &'static [UnitInfo],
     /// The outputs.
     pub outputs: &'static [OutputInfo],
     /// The names of the defines. They have values at run time where they are outputs.
@@ -71,6 +73,65 @@ impl Description {
     pub fn velocity_rows(&self) -> impl Iterator<Item = &'static RowInfo> + use<> {
         self.rows.iter().filter(|row| row.level != Level::Acceleration)
     }
+
+    /// The unit of a name, if it is declared or follows: `m/s/s`, and `1` for pure numbers.
+    ///
+    /// ```
+    /// # #[cfg(feature = "derive")] {
+    /// use holonomy::{ConstrainedSystem, UnitKind};
+    ///
+    /// #[derive(ConstrainedSystem, Clone)]
+    /// #[coordinates(alpha)]
+    /// #[frame(A = rotate(N, z, alpha))]
+    /// #[particle(bob = { at: O - l*A.y, mass: m })]
+    /// #[gravity(-g*N.y)]
+    /// #[output(height = -l*cos(alpha))]
+    /// struct Pendulum {
+    ///     #[unit(kg)]
+    ///     m: f64,
+    ///     #[unit(m)]
+    ///     l: f64,
+    ///     g: f64,
+    /// }
+    ///
+    /// assert_eq!(Pendulum::MODEL.unit(UnitKind::Parameter, "g"), Some("m/s/s"));
+    /// assert_eq!(Pendulum::MODEL.unit(UnitKind::Speed, "dot_alpha"), Some("1/s"));
+    /// assert_eq!(Pendulum::MODEL.unit(UnitKind::Output, "height"), Some("m"));
+    /// # }
+    /// ```
+    pub fn unit(&self, kind: UnitKind, name: &str) -> Option<&'static str> {
+        self.units.iter().find(|info| info.kind == kind && info.name == name).map(|info| info.unit)
+    }
+}
+
+/// The unit of a name.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct UnitInfo {
+    /// What has it: outputs and multipliers are namespaces of their own.
+    pub kind: UnitKind,
+    /// Its name.
+    pub name: &'static str,
+    /// The unit: `kg*m*m`, and `1` for pure numbers.
+    pub unit: &'static str,
+}
+
+/// What has a unit.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+pub enum UnitKind {
+    /// A parameter.
+    Parameter,
+    /// A coordinate, of the initial system or of the state.
+    Coordinate,
+    /// A velocity, of the initial system or of the state.
+    Speed,
+    /// An input.
+    Input,
+    /// An output.
+    Output,
+    /// λ of a constraint.
+    Multiplier,
 }
 
 /// One row of C.

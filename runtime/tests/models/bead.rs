@@ -37,6 +37,7 @@ impl ConstrainedSystem for Bead {
         velocities: &["dot_x", "dot_y"],
         parameters: &["m", "w", "g"],
         inputs: &[],
+        units: &[],
         outputs: &[],
         defines: &[],
         rows: &[RowInfo { name: "rod", level: Level::Position, linear: true, redundant: false }],

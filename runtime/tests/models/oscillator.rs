@@ -35,6 +35,7 @@ impl ConstrainedSystem for Oscillator {
         velocities: &["dot_x"],
         parameters: &["m", "a", "k", "c", "b"],
         inputs: &["tau"],
+        units: &[],
         outputs: &[],
         defines: &[],
         rows: &[],

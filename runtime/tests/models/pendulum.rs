@@ -60,6 +60,7 @@ impl ConstrainedSystem for Pendulum {
         velocities: &["dot_x", "dot_y"],
         parameters: &["m", "l", "g"],
         inputs: &[],
+        units: &[],
         outputs: &[],
         defines: &[],
         rows: &[RowInfo { name: "rod", level: Level::Position, linear: true, redundant: false }],

@@ -5,7 +5,7 @@ use super::shape::Types;
 use super::target::Target;
 use crate::program::{Count, Programs};
 use crate::projection::{Equations, Guard, GuardKind, Level, OutputFacts};
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 /// The constant that describes the model.
@@ -63,6 +63,7 @@ pub fn model(
     let costs = costs.map(|(name, count)| cost(target, name, count));
     let outputs = e.outputs.names.iter().zip(e.output_facts()).map(|(name, facts)| output(target, name, &facts));
     let defines = &target.defines;
+    let units = units(target, types);
     let positions = &e.position_names;
     let notes = &e.notes;
     let name = target.ident.to_string();
@@ -76,6 +77,7 @@ pub fn model(
             velocities: &[#(#v),*],
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
+            units: &[#(#units),*],
             outputs: &[#(#outputs),*],
             defines: &[#(#defines),*],
             rows: &[#(#rows),*],
@@ -90,6 +92,34 @@ pub fn model(
             operations: &[#(#costs),*],
         }
     }
+}
+
+/// The units that are known, kind by kind.
+fn units(target: &Target, types: &Types) -> Vec<TokenStream> {
+    let krate = &target.krate;
+    let known = &types.known;
+    let mut entries = Vec::new();
+    let mut add = |kind: &str, names: &[String], unit: &dyn Fn(&str) -> Option<String>| {
+        let kind = Ident::new(kind, Span::call_site());
+        for name in names {
+            if let Some(unit) = unit(name) {
+                entries.push(quote!(#krate::UnitInfo { kind: #krate::UnitKind::#kind, name: #name, unit: #unit }));
+            }
+        }
+    };
+    let named = |name: &str| target.units.of(name).map(str::to_owned);
+    let (q, u) = known.state.split_at(known.state_coordinates);
+    let others = |all: &[String], more: &[String]| -> Vec<String> {
+        let further = more.iter().filter(|name| !all.contains(name));
+        all.iter().chain(further).cloned().collect()
+    };
+    add("Parameter", &known.parameters, &named);
+    add("Coordinate", &others(&known.coordinates, q), &named);
+    add("Speed", &others(&known.velocities, u), &named);
+    add("Input", &known.inputs, &named);
+    add("Output", &known.outputs, &|name| target.units.of_output(name).map(str::to_owned));
+    add("Multiplier", &known.multipliers, &|name| target.units.of_multiplier(name).map(str::to_owned));
+    entries
 }
 
 fn level(level: Level) -> TokenStream {
@@ -125,6 +155,7 @@ pub fn bare(target: &Target, types: &Types) -> TokenStream {
             velocities: &[#(#v),*],
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
+            units: &[],
             outputs: &[],
             defines: &[],
             rows: &[],

@@ -1,5 +1,6 @@
 //! What the user's struct gives.
 
+use crate::dimensions::Units;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 use syn::ext::IdentExt;
@@ -28,6 +29,8 @@ pub struct Target {
     pub parameters: Vec<TokenStream>,
     /// Coordinates, speeds, inputs and parameters as they were declared, for spans and docs.
     pub declared: Vec<Declared>,
+    /// The units of names, as far as they are known.
+    pub units: Units,
     /// Outputs as they were declared.
     pub outputs: Vec<Declared>,
     /// The names of defines.

@@ -12,6 +12,7 @@ fn target(text: &str, equations: &Equations) -> Target {
     let item: syn::DeriveInput = syn::parse_str(text).expect("a struct");
     let name = |symbol| equations.graph.name(symbol);
     Target {
+        units: Default::default(),
         ident: item.ident,
         vis: item.vis,
         generics: item.generics,

@@ -60,15 +60,23 @@ pub fn structs(target: &Target, types: &Types, programs: Option<&Programs>) -> S
         let about = format!(
             "The multipliers λ of [`{name}`]: M v̇ = h* + Cᵀ λ (2.8), each the force that its constraint exerts on the system."
         );
-        let fields: Vec<TokenStream> =
-            types.multipliers.names.iter().map(|n| doc(&format!("λ of the constraint `{n}`."))).collect();
+        let fields: Vec<TokenStream> = types
+            .multipliers
+            .names
+            .iter()
+            .map(|n| docs_or(None, &format!("λ of the constraint `{n}`."), target.units.of_multiplier(n)))
+            .collect();
         definitions.extend(structure(target, &types.multipliers, &about, &fields));
         implementations.extend(vector(target, &types.multipliers));
     }
     if !types.outputs.fields.is_empty() {
         let about = format!("The outputs of [`{name}`].");
-        let fields: Vec<TokenStream> =
-            types.outputs.names.iter().map(|n| docs_or(target.output(n), &format!("Output `{n}`."))).collect();
+        let fields: Vec<TokenStream> = types
+            .outputs
+            .names
+            .iter()
+            .map(|n| docs_or(target.output(n), &format!("Output `{n}`."), target.units.of_output(n)))
+            .collect();
         definitions.extend(structure(target, &types.outputs, &about, &fields));
         implementations.extend(vector(target, &types.outputs));
     }
@@ -111,15 +119,22 @@ pub fn doc(text: &str) -> TokenStream {
 }
 
 fn doc_of(target: &Target, name: &str, fallback: &str) -> TokenStream {
-    docs_or(target.declared(name), fallback)
+    docs_or(target.declared(name), fallback, target.units.of(name))
 }
 
-fn docs_or(declared: Option<&Declared>, fallback: &str) -> TokenStream {
-    match declared {
-        Some(declared) if !declared.docs.is_empty() => {
+/// The docs of a name, and its unit where it is more than a number.
+fn docs_or(declared: Option<&Declared>, fallback: &str, unit: Option<&str>) -> TokenStream {
+    let unit = unit.filter(|unit| *unit != "1");
+    match (declared, unit) {
+        (Some(declared), unit) if !declared.docs.is_empty() => {
             let docs = &declared.docs;
-            quote!(#(#docs)*)
+            let unit = unit.map(|unit| {
+                let unit = doc(&format!("In {unit}."));
+                quote!(#[doc = ""] #unit)
+            });
+            quote!(#(#docs)* #unit)
         }
+        (_, Some(unit)) => doc(&format!("{}, in {unit}.", fallback.trim_end_matches('.'))),
         _ => doc(fallback),
     }
 }

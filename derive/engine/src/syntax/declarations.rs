@@ -85,11 +85,13 @@ pub struct Field {
     pub nominal: Option<Expression>,
 }
 
-/// A unit of measurement: base names with their exponents, sorted by name; empty for `1`.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// A unit of measurement: names with their exponents, sorted by name; empty for `1`.
+#[derive(Clone, Debug)]
 pub struct Unit {
     /// `kg*m/s` is `[("kg", 1), ("m", 1), ("s", -1)]`.
     pub factors: Vec<(String, i32)>,
+    /// The names as they are written, with their places.
+    pub names: Vec<(String, Span)>,
 }
 
 /// How the motion of bodies is found.
@@ -119,6 +121,8 @@ pub struct Name {
     pub ident: Ident,
     /// Its doc comment, line by line.
     pub docs: Vec<String>,
+    /// `#[unit(..)]` before it.
+    pub unit: Option<Unit>,
 }
 
 /// `#[speeds(..)]`.
@@ -259,6 +263,8 @@ pub struct Constraint {
     pub left: Expression,
     /// The right side; `None` for a joint.
     pub right: Option<Expression>,
+    /// The `==`; of a joint its name.
+    pub sign: Place,
     /// Whether the model says that it may depend on other constraints.
     pub redundant: bool,
     /// `expressed = B`: the frame of whose axes a vector equation's rows are components.

@@ -4,11 +4,12 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Spacing, Span, TokenStream, TokenTree};
 
-use super::declarations::{IndependentEntry, Name, Quantity};
+use super::declarations::{IndependentEntry, Name, Quantity, Unit};
 use super::diagnostics::{Diagnostics, Place, messages};
 use super::expression::{Expression, is_punct};
 use super::families::element_name;
-use super::integer;
+use super::read::Statement;
+use super::{fields, integer};
 
 /// An array has at most so many entries.
 pub(crate) const LONGEST: i64 = 4096;
@@ -56,9 +57,9 @@ impl Entry {
 
     /// The whole entry as a name that is introduced here, with the doc comment before it; `a[3]` is three names.
     pub fn names(&self, diagnostics: &mut Diagnostics) -> Vec<Name> {
-        let (docs, rest) = self.docs(diagnostics);
+        let (Before { docs, unit }, rest) = self.before(diagnostics);
         match rest {
-            [token] => ident(token, diagnostics).map(|ident| Name { ident, docs }).into_iter().collect(),
+            [token] => ident(token, diagnostics).map(|ident| Name { ident, docs, unit }).into_iter().collect(),
             [token @ TokenTree::Ident(name), TokenTree::Group(group)] if group.delimiter() == Delimiter::Bracket => {
                 let inner: Vec<TokenTree> = group.stream().into_iter().collect();
                 let length = integer::value(&inner).filter(|length| (1..=LONGEST).contains(length));
@@ -70,7 +71,8 @@ impl Entry {
                     return Vec::new();
                 }
                 let element = |index| Ident::new(&element_name(name, index), name.span());
-                (0..length).map(|index| Name { ident: element(index), docs: docs.clone() }).collect()
+                let name = |index| Name { ident: element(index), docs: docs.clone(), unit: unit.clone() };
+                (0..length).map(name).collect()
             }
             [TokenTree::Ident(name), next, ..] => {
                 diagnostics.report(next.span(), messages::comma_expected(name));
@@ -83,27 +85,35 @@ impl Entry {
         }
     }
 
-    /// The doc comments before the entry, and the entry without them.
-    pub fn documented(&self, diagnostics: &mut Diagnostics) -> (Vec<String>, Entry) {
-        let (docs, rest) = self.docs(diagnostics);
-        (docs, Entry { tokens: rest.to_vec(), end: self.end })
+    /// What stands before the entry, and the entry without it.
+    pub fn documented(&self, diagnostics: &mut Diagnostics) -> (Before, Entry) {
+        let (before, rest) = self.before(diagnostics);
+        (before, Entry { tokens: rest.to_vec(), end: self.end })
     }
 
-    /// Cuts off leading doc comments, which reach a derive as `#[doc = ".."]`.
-    fn docs(&self, diagnostics: &mut Diagnostics) -> (Vec<String>, &[TokenTree]) {
-        let mut docs = Vec::new();
+    /// Cuts off leading doc comments, which reach a derive as `#[doc = ".."]`, and a unit among them.
+    fn before(&self, diagnostics: &mut Diagnostics) -> (Before, &[TokenTree]) {
+        let mut before = Before::default();
+        let mut measured = false;
         let mut rest = self.tokens.as_slice();
         while let [hash, TokenTree::Group(group), after @ ..] = rest {
             if !is_punct(hash, '#') {
                 break;
             }
-            match doc_text(group) {
-                Some(text) => docs.push(text),
-                None => diagnostics.report_local(group.span(), messages::attribute_on_name()),
+            match (doc_text(group), unit_statement(group)) {
+                (Some(text), _) => before.docs.push(text),
+                (None, Some(statement)) if measured => {
+                    diagnostics.report_local(&statement.name, messages::statement_twice(&statement.name));
+                }
+                (None, Some(statement)) => {
+                    before.unit = fields::unit_of(&statement, diagnostics);
+                    measured = true;
+                }
+                (None, None) => diagnostics.report_local(group.span(), messages::attribute_on_name()),
             }
             rest = after;
         }
-        (docs, rest)
+        (before, rest)
     }
 
     /// The entry cut at its first single `=`: what stands left, the `=`, what stands right.
@@ -130,11 +140,11 @@ impl Entry {
         if single_equals(&self.tokens).is_none() {
             return quantity(&self.tokens, self.place(), diagnostics).map(IndependentEntry::Speed);
         }
-        let (docs, rest) = self.docs(diagnostics);
+        let (Before { docs, unit }, rest) = self.before(diagnostics);
         let (left, right) = rest.split_at(single_equals(rest)?);
         let ident = single_ident(left, self.place(), diagnostics);
         let value = Expression::read(&right[1..], right[0].span(), diagnostics);
-        Some(IndependentEntry::Combination { name: Name { ident: ident?, docs }, value })
+        Some(IndependentEntry::Combination { name: Name { ident: ident?, docs, unit }, value })
     }
 }
 
@@ -225,6 +235,28 @@ pub(crate) fn double_equals(tokens: &[TokenTree]) -> Vec<usize> {
         at += 1;
     }
     found
+}
+
+/// What may stand before a name.
+#[derive(Default)]
+pub(crate) struct Before {
+    /// Doc comments, line by line.
+    pub docs: Vec<String>,
+    /// `#[unit(..)]`
+    pub unit: Option<Unit>,
+}
+
+/// `[unit(kg)]`
+fn unit_statement(group: &Group) -> Option<Statement> {
+    let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+    match tokens.as_slice() {
+        [TokenTree::Ident(name), TokenTree::Group(list)]
+            if name == "unit" && list.delimiter() == Delimiter::Parenthesis =>
+        {
+            Some(Statement { name: name.clone(), tokens: list.stream(), end: list.span_close() })
+        }
+        _ => None,
+    }
 }
 
 /// The text of `[doc = ".."]`.

@@ -43,7 +43,7 @@ pub enum Term {
 }
 
 impl Term {
-    fn operands(&self) -> Vec<usize> {
+    pub(crate) fn operands(&self) -> Vec<usize> {
         match self {
             Term::Number(_) | Term::Name(_) | Term::Axis(..) | Term::Hole => Vec::new(),
             Term::Negative(of) => vec![*of],

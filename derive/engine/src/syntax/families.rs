@@ -335,6 +335,8 @@ fn replaced(tokens: &[TokenTree], value: &dyn Fn(&str) -> Option<i64>) -> Vec<To
         TokenTree::Ident(ident) if !tokens.get(at + 1).is_some_and(entries::is_colon) => {
             value(&ident.to_string()).map_or_else(|| token.clone(), |value| number(value, ident.span()))
         }
+        // The names in `#[unit(m)]` are none of the model's.
+        TokenTree::Group(_) if at > 0 && is_punct(&tokens[at - 1], '#') => token.clone(),
         TokenTree::Group(group) => {
             let inner: Vec<TokenTree> = group.stream().into_iter().collect();
             grouped(group.delimiter(), replaced(&inner, value), group.span())

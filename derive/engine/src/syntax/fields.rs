@@ -69,7 +69,7 @@ pub(crate) fn read(input: &DeriveInput, diagnostics: &mut Diagnostics) -> Read {
                 continue;
             }
             if statement.name == "unit" {
-                unit = single(&statement, diagnostics).and_then(|value| self::unit(&value, diagnostics));
+                unit = unit_of(&statement, diagnostics);
             } else {
                 nominal = values(&statement, diagnostics).map(|values| (statement.name, values));
             }
@@ -220,6 +220,11 @@ fn docs(attributes: &[Attribute]) -> Vec<String> {
         .collect()
 }
 
+/// The unit in a statement's parentheses.
+pub(super) fn unit_of(statement: &Statement, diagnostics: &mut Diagnostics) -> Option<Unit> {
+    single(statement, diagnostics).and_then(|value| unit(&value, diagnostics))
+}
+
 /// Reads `kg*m/s`: names, `1`, `*`, `/` and `powi`.
 fn unit(expression: &Expression, diagnostics: &mut Diagnostics) -> Option<Unit> {
     let refused = |diagnostics: &mut Diagnostics, span| {
@@ -285,5 +290,9 @@ fn unit(expression: &Expression, diagnostics: &mut Diagnostics) -> Option<Unit> 
         *sum = sum.saturating_add(exponent);
     }
     sums.retain(|_, exponent| *exponent != 0);
-    Some(Unit { factors: sums.into_iter().collect() })
+    let names = expression.terms().iter().filter_map(|(term, span)| match term {
+        Term::Name(name) => Some((name.clone(), *span)),
+        _ => None,
+    });
+    Some(Unit { factors: sums.into_iter().collect(), names: names.collect() })
 }

@@ -5,7 +5,7 @@ use syn::Path;
 
 use super::declarations::*;
 use super::diagnostics::{Diagnostics, Place, messages};
-use super::entries::{self, Entry, double_equals, is_colon, quantity, single_equals, single_ident};
+use super::entries::{self, Before, Entry, double_equals, is_colon, quantity, single_equals, single_ident};
 use super::expression::{Expression, is_punct};
 use super::joints::is_joint;
 
@@ -38,12 +38,12 @@ pub(super) fn assignments(entries: &[Entry], form: &str, diagnostics: &mut Diagn
 
 /// `power = ..` or `mu`, with doc comments before it
 pub(super) fn output(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<Output> {
-    let (docs, entry) = entry.documented(diagnostics);
+    let (Before { docs, unit }, entry) = entry.documented(diagnostics);
     let (ident, value) = match entry.tokens.as_slice() {
         [token @ TokenTree::Ident(_)] => (entries::ident(token, diagnostics)?, entry.expression(diagnostics)),
         _ => entry.named_expression("power = expression` or `mu", diagnostics)?,
     };
-    Some(Output { name: Name { ident, docs }, value })
+    Some(Output { name: Name { ident, docs, unit }, value })
 }
 
 /// `v1 = ..` or `dot(x) = ..`
@@ -142,11 +142,13 @@ fn constraint(entry: &Entry, diagnostics: &mut Diagnostics) -> Option<Constraint
         [at] => {
             let left = Expression::read(&equation[..*at], colon, diagnostics);
             let right = Expression::read(&equation[at + 2..], equation[at + 1].span(), diagnostics);
-            Some(Constraint { name: name?, left, right: Some(right), redundant: false, expressed: None })
+            let sign = Place::between(equation[*at].span(), equation[at + 1].span());
+            Some(Constraint { name: name?, left, right: Some(right), sign, redundant: false, expressed: None })
         }
         [] if is_joint(equation) => {
             let left = Expression::read(equation, colon, diagnostics);
-            Some(Constraint { name: name?, left, right: None, redundant: false, expressed: None })
+            let sign = equation[0].span().into();
+            Some(Constraint { name: name?, left, right: None, sign, redundant: false, expressed: None })
         }
         [] => {
             match single_equals(equation) {

@@ -16,7 +16,9 @@ macro_rules! messages {
     };
 }
 
+mod dimensions;
 mod geometry;
+pub(crate) use dimensions::*;
 pub(crate) use geometry::*;
 
 // The input as a whole.
@@ -62,7 +64,7 @@ messages! {
     comma_expected(name) =
         "expected `,` after `{name}`";
     attribute_on_name() =
-        "only doc comments can stand before a name here";
+        "only doc comments and `#[unit(..)]` can stand before a name here";
     family_form() =
         "a family is written `entry for i in 0..n`";
     range_expected() =

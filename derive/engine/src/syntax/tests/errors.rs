@@ -73,7 +73,7 @@ fn forms_of_statements() {
                 "1:21 `r#type`: the raw identifier `r#type` cannot be a name in equations; choose another name",
                 "1:29 `_`: `_` is a keyword of Rust and cannot be a name here",
                 "1:32 `3`: expected a name",
-                "1:36 `[cfg(a)]`: only doc comments can stand before a name here",
+                "1:36 `[cfg(a)]`: only doc comments and `#[unit(..)]` can stand before a name here",
             ],
         ),
         (
