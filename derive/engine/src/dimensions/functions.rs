@@ -112,7 +112,7 @@ impl Checker<'_> {
             return Value::of(self.solver.fresh());
         }
         let side = Side { dimension: of_base, part: Some((expression, base)) };
-        self.pure(place_of(expression, base), &side, |found, hint| messages::dimension_of_base(found, hint));
+        self.pure(place_of(expression, base), &side, messages::dimension_of_base);
         Value::of(Dimension::pure())
     }
 }
