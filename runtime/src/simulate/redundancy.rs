@@ -39,7 +39,8 @@ impl<M: ConstrainedSystem> Redundancy<M> {
         if self.equations.solve(model, t, s, &w, inputs, None).is_err() {
             return Ok(());
         }
-        let sure = self.equations.smallest_pivot().powi(2);
+        let pivot = self.equations.smallest_pivot();
+        let sure = pivot * pivot;
         let part = |(row, sine): (usize, f64)| (row, sine.max(sure * self.equations.missed(row)));
         let left: Vec<(usize, f64)> =
             self.equations.left_out().map(part).filter(|(_, part)| *part > DEPENDENT).collect();
