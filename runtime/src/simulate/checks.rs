@@ -79,10 +79,17 @@ impl<'a, M: ConstrainedSystem, I: InputSource<M>> Simulation<'a, M, I> {
                 model.velocities(from, &start)
             }
         };
+        // Velocities that are given need not satisfy what redundant rows are judged by.
+        if self.velocities.is_some() {
+            check_velocity(model, from, &start, &v)?;
+        }
         let mut redundancy = Redundancy::new(model)?;
-        let inputs = self.source.inputs(from, &start);
-        redundancy.as_mut().map_or(Ok(()), |rows| rows.check(model, from, (&start, &v), &inputs))?;
-        check_velocity(model, from, &start, &v)?;
+        if let Some(rows) = &mut redundancy {
+            rows.check(model, from, (&start, &v), &self.source.inputs(from, &start))?;
+        }
+        if self.velocities.is_none() {
+            check_velocity(model, from, &start, &v)?;
+        }
         let plan = Plan { start: from, end, pace, every: self.every, dense: self.dense, max_steps: self.max_steps };
         let course = Course {
             model,

@@ -85,15 +85,13 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for Emitted<'_, M, I> {
     }
 
     fn passed(&mut self, t: f64, y: &Self::Point) -> Result<(), Error> {
-        if self.redundancy.is_some() {
-            let ((s, v), inputs) = (self.view(t, y), self.inputs(t, y));
-            self.redundancy.as_mut().map_or(Ok(()), |rows| rows.check(self.model, t, (&s, &v), &inputs))?;
-        }
-        if self.crossing.is_none() {
+        if self.redundancy.is_none() && self.crossing.is_none() {
             return Ok(());
         }
-        let (s, v) = self.view(t, y);
-        let inputs = self.inputs(t, y);
+        let ((s, v), inputs) = (self.view(t, y), self.inputs(t, y));
+        if let Some(rows) = &mut self.redundancy {
+            rows.check(self.model, t, (&s, &v), &inputs)?;
+        }
         let Some(crossing) = &mut self.crossing else { return Ok(()) };
         crossing.crossed(self.model, t, (&s, &v), &inputs).map_err(|mut error| {
             if let Error::Dependent { rows, guard, .. } = &mut error {

@@ -163,10 +163,12 @@ impl<M: ConstrainedSystem, I: InputSource<M>> Flow<M> for General<'_, M, I> {
 
     fn passed(&mut self, t: f64, y: &Self::Point) -> Result<(), Error> {
         // A loss of rank was judged with the guards: every stage was seen.
-        let Some(rows) = &mut self.redundancy else { return Ok(()) };
-        let v = self.model.carried_velocities(t, &y.state.into(), &y.carriers.into());
-        let s = view(self.model, t, &y.state.into(), &v);
-        rows.check(self.model, t, (&s, &v), &self.source.inputs(t, &s))
+        if self.redundancy.is_none() {
+            return Ok(());
+        }
+        let (s, v) = self.view(t, y);
+        let inputs = self.source.inputs(t, &s);
+        self.redundancy.as_mut().map_or(Ok(()), |rows| rows.check(self.model, t, (&s, &v), &inputs))
     }
 
     fn restore(&mut self, t: f64, y: &mut Self::Point) -> Result<bool, Error> {

@@ -4,8 +4,8 @@ use std::fmt::Display;
 
 messages! {
     unit_unknown(name, did_you_mean) =
-        "there is no unit `{name}`{did_you_mean}; units are products and quotients of m, kg, s, A, K, mol, cd, N, J, W, Pa, Hz, rad, \
-         V, Ohm, C, F, H, T and Wb, with prefixes";
+        "there is no unit `{name}` (units are products and quotients of m, kg, s, A, K, mol, cd, N, J, W, Pa, Hz, rad, V, Ohm, C, F, H, \
+         T and Wb, with prefixes){did_you_mean}";
     unit_refused(name, instead) =
         "`{name}` is no power of ten of the other units, and numbers are not converted; {instead}";
     /// The sum and the like of what does not fit.
