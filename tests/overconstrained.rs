@@ -217,3 +217,15 @@ fn rows_that_become_independent_during_a_run_end_it() {
     }
     assert!((interrupted.trajectory.last().1.x - 1.0).abs() < 0.1);
 }
+
+/// Velocities that are given may satisfy nothing: that is told, and not that rows are no longer redundant.
+#[test]
+fn given_velocities_are_judged_first() {
+    let model = ParallelBars { l: 1.2, w: 2.5, m: 0.7, g: 9.81 }.prepare().expect("good parameters");
+    let start = ParallelBarsState { a: -0.7, b: -0.7, c: -0.7, d: 0.0, dot_a: 0.0 };
+    let v = ParallelBarsVelocities { dot_a: 1.0, dot_b: 0.2, dot_c: -0.4, dot_d: 0.3 };
+    let error = model.simulate(start).velocities(v).until(1.0).expect_err("the bars would come apart").error;
+    assert!(matches!(error, Error::Unmet { .. }), "{error:?}");
+    let v = ParallelBarsVelocities { dot_a: 0.4, dot_b: 0.4, dot_c: 0.4, dot_d: 0.0 };
+    model.simulate(start).velocities(v).until(1.0).expect("they move as one");
+}
