@@ -140,8 +140,10 @@ fn names_of_units() {
         assert!(of(known).is_empty(), "{known}");
     }
     let unknown = of("meter/sec");
-    assert!(unknown[0].starts_with("there is no unit `meter`; did you mean `m`?; units are"), "{unknown:?}");
-    assert!(unknown[1].starts_with("there is no unit `sec`; did you mean `s`?"), "{unknown:?}");
+    for (message, name, meant) in [(&unknown[0], "meter", "m"), (&unknown[1], "sec", "s")] {
+        assert!(message.starts_with(&format!("there is no unit `{name}` (units are products")), "{unknown:?}");
+        assert!(message.ends_with(&format!("with prefixes); did you mean `{meant}`?")), "{unknown:?}");
+    }
     assert_eq!(
         of("N*deg"),
         ["`deg` is no power of ten of the other units, and numbers are not converted; angles are in radians: `rad`"]
